@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// Quadric error functions (Garland & Heckbert 1997): Q(x) = x'Ax + 2b'x + c, a weighted sum of squared distances
+// to planes and points. They add; the minimum is found by solving A x = -b.
+#pragma once
+
+#include <algorithm>
+
+#include "limber/base/vec.h"
+
+namespace limber {
+
+struct Quadric {
+  double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;  // A, symmetric
+  double bx = 0, by = 0, bz = 0;
+  double c = 0;
+
+  // weight x squared distance to the plane through `point` with the unit normal `normal`.
+  static Quadric plane(const Vec3d& normal, const Vec3d& point, double weight) {
+    const double offset = -dot(normal, point);
+    const Vec3d wn = normal * weight;
+    return {wn.x * normal.x, wn.x * normal.y, wn.x * normal.z, wn.y * normal.y, wn.y * normal.z, wn.z * normal.z,
+            wn.x * offset,   wn.y * offset,   wn.z * offset,   weight * offset * offset};
+  }
+
+  // Adds weight x squared distance to `point`.
+  void add_point(const Vec3d& point, double weight) {
+    xx += weight, yy += weight, zz += weight;
+    bx -= weight * point.x, by -= weight * point.y, bz -= weight * point.z;
+    c += weight * squared_length(point);
+  }
+
+  Quadric& operator+=(const Quadric& o) {
+    xx += o.xx, xy += o.xy, xz += o.xz, yy += o.yy, yz += o.yz, zz += o.zz;
+    bx += o.bx, by += o.by, bz += o.bz;
+    c += o.c;
+    return *this;
+  }
+  Quadric& operator-=(const Quadric& o) {
+    xx -= o.xx, xy -= o.xy, xz -= o.xz, yy -= o.yy, yz -= o.yz, zz -= o.zz;
+    bx -= o.bx, by -= o.by, bz -= o.bz;
+    c -= o.c;
+    return *this;
+  }
+  friend Quadric operator+(Quadric a, const Quadric& b) { return a += b; }
+  friend Quadric operator-(Quadric a, const Quadric& b) { return a -= b; }
+  friend bool operator==(const Quadric&, const Quadric&) = default;
+
+  // Q(x). May come out slightly negative by rounding.
+  double operator()(const Vec3d& x) const {
+    const double rx = xx * x.x + xy * x.y + xz * x.z + 2 * bx;
+    const double ry = xy * x.x + yy * x.y + yz * x.z + 2 * by;
+    const double rz = xz * x.x + yz * x.y + zz * x.z + 2 * bz;
+    return rx * x.x + ry * x.y + rz * x.z + c;
+  }
+};
+
+struct QuadricMinimum {
+  Vec3d point;
+  double value = 0;  // >= 0
+};
+
+// Where Q is smallest, by an LDL' factorisation. Precondition: A is positive definite, which every quadric is that
+// holds a point (see contract/vertex_quadrics.h); a quadric without one gives a finite but meaningless answer.
+inline QuadricMinimum minimum(const Quadric& q) {
+  constexpr double kTiny = 1e-300;
+  const double i0 = 1.0 / std::max(q.xx, kTiny);
+  const double l10 = q.xy * i0, l20 = q.xz * i0;
+  const double i1 = 1.0 / std::max(q.yy - l10 * q.xy, kTiny);
+  const double m21 = q.yz - l20 * q.xy;
+  const double l21 = m21 * i1;
+  const double i2 = 1.0 / std::max(q.zz - l20 * q.xz - l21 * m21, kTiny);
+  const double y0 = -q.bx;
+  const double y1 = -q.by - l10 * y0;
+  const double y2 = -q.bz - l20 * y0 - l21 * y1;
+  const double z = y2 * i2;
+  const double y = y1 * i1 - l21 * z;
+  const double x = y0 * i0 - l10 * y - l20 * z;
+  const double value = q.c + q.bx * x + q.by * y + q.bz * z;
+  return {{x, y, z}, std::max(value, 0.0)};
+}
+
+}  // namespace limber

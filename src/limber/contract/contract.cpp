@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+// Garland & Heckbert 1997, section 4; for many frames Mohr & Gleicher 2003. Differences: docs/design.md, "Contraction".
+//
+//   contract_to(target):
+//     while vertex_count > target:
+//       take the edge of least cost
+//       if its ends have changed since it was priced:     cost() again, back into the queue
+//       else if it would break the topology or fold over:  put off until its surroundings change
+//       else:                                              apply()
+//     with nothing left to take: give every edge put off another chance, then one without the fold-over check
+//
+// Prices are brought up to date only when an edge reaches the front: quadrics are sums of squares, so a cost only ever
+// grows as its ends absorb others, and an old one is a lower bound. The order is the same as if all were kept up to
+// date.
+#include "limber/contract/contract.h"
+
+#include <cassert>
+
+#include "limber/contract/edges.h"
+
+namespace limber {
+
+Contractor::Contractor(const Mesh& mesh, std::span<const std::span<const Vec3f>> frames, const ContractOptions& options)
+    : options_(options),
+      frame_count_(frames.size()),
+      surface_(mesh),
+      normalizations_(frames.size()),
+      quadrics_(mesh.vertex_count * frames.size()),
+      positions_(mesh.vertex_count * frames.size()),
+      merged_into_(mesh.vertex_count, kNone),
+      priced_age_(surface_.edge_count(), 0),
+      minima_(frames.size()),
+      queue_(surface_.edge_count()) {
+  assert(!frames.empty());
+  VertexQuadrics vertex_quadrics(mesh, options.quadrics);
+  std::vector<Vec3d> unit(mesh.vertex_count);
+  std::vector<Quadric> quadrics(mesh.vertex_count);
+  const double scale = normalization(frames[0]).scale;
+  for (std::size_t f = 0; f < frame_count_; ++f) {
+    assert(frames[f].size() == mesh.vertex_count);
+    normalizations_[f] = {normalization(frames[f]).center, scale};
+    for (Index v = 0; v < mesh.vertex_count; ++v) unit[v] = normalizations_[f].to_unit(frames[f][v]);
+    vertex_quadrics.compute(unit, quadrics);
+    for (Index v = 0; v < mesh.vertex_count; ++v) {
+      quadrics_[v * frame_count_ + f] = quadrics[v];
+      positions_[v * frame_count_ + f] = static_cast<Vec3f>(unit[v]);
+    }
+  }
+  for (Index e = 0; e < surface_.edge_count(); ++e) enqueue(e);
+}
+
+float Contractor::cost(Index edge) const {
+  const auto [u, v] = surface_.ends(edge);
+  double sum = 0;
+  for (std::size_t f = 0; f < frame_count_; ++f)
+    sum += minimum(quadrics_[u * frame_count_ + f] + quadrics_[v * frame_count_ + f]).value;
+  return static_cast<float>(sum);
+}
+
+void Contractor::enqueue(Index edge) {
+  priced_age_[edge] = surface_.age(edge);
+  queue_.push(edge, cost(edge));
+}
+
+// Whether moving both ends to minima_ turns a triangle that survives too far in any frame.
+bool Contractor::folds_over(Index edge) {
+  const auto ends = surface_.ends(edge);
+  bool found = false;
+  for (const Index end : ends) {
+    const Index other = end == ends[0] ? ends[1] : ends[0];
+    surface_.for_each_triangle(end, [&](Index t) {
+      const Triangle& corners = surface_.triangle(t);
+      const std::size_t i = corners[0] == end ? 0 : corners[1] == end ? 1 : 2;
+      const Index b = corners[(i + 1) % 3], c = corners[(i + 2) % 3];
+      if (found || b == other || c == other) return;
+      for (std::size_t f = 0; f < frame_count_ && !found; ++f) {
+        const Vec3d& pb = static_cast<Vec3d>(positions_[b * frame_count_ + f]);
+        const Vec3d opposite_edge = static_cast<Vec3d>(positions_[c * frame_count_ + f]) - pb;
+        const Vec3d before = cross(opposite_edge, static_cast<Vec3d>(positions_[end * frame_count_ + f]) - pb);
+        const Vec3d after = cross(opposite_edge, minima_[f] - pb);
+        const double cosine = dot(before, after);
+        const double limit = options_.fold_over_cosine;
+        const double lengths = squared_length(before) * squared_length(after);
+        found = limit >= 0 ? cosine < 0 || cosine * cosine < limit * limit * lengths
+                           : cosine < 0 && cosine * cosine > limit * limit * lengths;
+      }
+    });
+  }
+  return found;
+}
+
+void Contractor::apply(Index edge) {
+  const auto [u, v] = surface_.ends(edge);
+  for (std::size_t f = 0; f < frame_count_; ++f) {
+    quadrics_[u * frame_count_ + f] += quadrics_[v * frame_count_ + f];
+    positions_[u * frame_count_ + f] = static_cast<Vec3f>(minima_[f]);
+  }
+  merged_into_[v] = u;
+  surface_.contract(edge);
+  surface_.for_each_edge(u, [&](Index e, Index) {
+    if (priced_age_[e] == kPutOff) enqueue(e);
+  });
+}
+
+Index Contractor::contract_to(Index target) {
+  bool progress = true;
+  const auto reprice = [this](Index edge, float old_cost) {
+    if (!surface_.is_alive(edge)) return -1.0f;
+    const Index age = surface_.age(edge);
+    if (priced_age_[edge] == age) return old_cost;
+    priced_age_[edge] = age;
+    return cost(edge);
+  };
+  while (surface_.vertex_count() > target) {
+    if (!queue_.advance(reprice)) {
+      if (!progress && !check_fold_over_) break;
+      check_fold_over_ = progress && check_fold_over_;
+      progress = false;
+      for (Index e = 0; e < surface_.edge_count(); ++e)
+        if (priced_age_[e] == kPutOff && surface_.is_alive(e)) enqueue(e);
+      if (!queue_.advance(reprice)) break;
+    }
+    const Index edge = queue_.front();
+    queue_.pop();
+    if (!surface_.is_alive(edge)) continue;
+    if (priced_age_[edge] != surface_.age(edge)) {
+      enqueue(edge);
+      continue;
+    }
+    const auto [u, v] = surface_.ends(edge);
+    for (std::size_t f = 0; f < frame_count_; ++f)
+      minima_[f] = minimum(quadrics_[u * frame_count_ + f] + quadrics_[v * frame_count_ + f]).point;
+    if ((options_.topology == Topology::kPreserve && !surface_.keeps_topology(edge)) ||
+        (check_fold_over_ && folds_over(edge))) {
+      priced_age_[edge] = kPutOff;
+      continue;
+    }
+    apply(edge);
+    progress = true;
+  }
+  return surface_.vertex_count();
+}
+
+Index Contractor::representative(Index v) const {
+  while (merged_into_[v] != kNone) v = merged_into_[v];
+  return v;
+}
+
+Vec3f Contractor::position(Index representative, std::size_t frame) const {
+  assert(merged_into_[representative] == kNone && frame < frame_count_);
+  return normalizations_[frame].from_unit(static_cast<Vec3d>(positions_[representative * frame_count_ + frame]));
+}
+
+Simplified simplified_mesh(const Contractor& contractor, const Mesh& mesh, std::size_t frame) {
+  Simplified out;
+  std::vector<Index> representative(mesh.vertex_count), new_index(mesh.vertex_count, kNone);
+  for (Index v = 0; v < mesh.vertex_count; ++v) representative[v] = contractor.representative(v);
+  for (const Triangle& t : mesh.triangles) {
+    Triangle image{representative[t[0]], representative[t[1]], representative[t[2]]};
+    if (is_degenerate(image)) continue;
+    for (Index& corner : image) {
+      Index& index = new_index[corner];
+      if (index == kNone) {
+        index = static_cast<Index>(out.vertices.size());
+        out.vertices.push_back(corner);
+        out.positions.push_back(contractor.position(corner, frame));
+      }
+      corner = index;
+    }
+    out.mesh.triangles.push_back(image);
+  }
+  out.mesh.vertex_count = static_cast<Index>(out.vertices.size());
+  return out;
+}
+
+Simplified simplify(const Mesh& mesh, std::span<const Vec3f> positions, Index vertex_count,
+                    const ContractOptions& options) {
+  const std::span<const Vec3f> frames[] = {positions};
+  Contractor contractor(mesh, frames, options);
+  contractor.contract_to(vertex_count);
+  return simplified_mesh(contractor, mesh, 0);
+}
+
+}  // namespace limber

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// Edge contraction under quadric error functions (QSlim: Garland & Heckbert 1997), for one frame or for many frames
+// at once (Mohr & Gleicher 2003): simplification, and the clusters that hierarchies are built from.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "limber/base/mesh.h"
+#include "limber/base/vec.h"
+#include "limber/contract/cost_queue.h"
+#include "limber/contract/surface.h"
+#include "limber/contract/vertex_quadrics.h"
+
+namespace limber {
+
+enum class Topology {
+  kPreserve,  // every contraction obeys the link condition: the result is homeomorphic to the input
+  kFree,      // holes may close, necks and fins may collapse; components are never joined
+};
+
+struct ContractOptions {
+  Topology topology = Topology::kPreserve;
+  QuadricOptions quadrics;
+  // A contraction is put off while it would turn the normal of a triangle beyond the angle with this cosine, -1 to 1.
+  double fold_over_cosine = 0.2;
+};
+
+// Contracts edges, cheapest first, and can be asked for smaller and smaller vertex counts. The cost of an edge is the
+// sum over the frames of the smallest value of the sum of its ends' quadrics, each frame with a minimum of its own.
+// Isolated vertices stay and do not count.
+class Contractor {
+ public:
+  // frames: at least one; each [mesh.vertex_count], finite. The mesh must outlive the contractor.
+  Contractor(const Mesh& mesh, std::span<const std::span<const Vec3f>> frames, const ContractOptions& options);
+
+  // Contracts until at most `target` vertices are left that are not isolated, or no legal contraction remains; gives
+  // the number left. Contractions put off by the fold-over check are made when nothing else is left.
+  Index contract_to(Index target);
+
+  Index vertex_count() const { return surface_.vertex_count(); }
+
+  // The vertex that stands for v now; itself if it has not been contracted.
+  Index representative(Index v) const;
+
+  // Where a representative lies in a frame: the minimum of its quadric, or the input's position of a vertex that
+  // nothing was contracted into.
+  Vec3f position(Index representative, std::size_t frame) const;
+
+ private:
+  static constexpr Index kPutOff = kNone;  // refused as its surroundings are now; not in the queue
+
+  float cost(Index edge) const;
+  void enqueue(Index edge);
+  bool folds_over(Index edge);
+  void apply(Index edge);
+
+  ContractOptions options_;
+  std::size_t frame_count_;
+  Surface surface_;
+  std::vector<Normalization> normalizations_;  // [frame_count]
+  std::vector<Quadric> quadrics_;              // [vertex_count x frame_count]
+  std::vector<Vec3f> positions_;               // [vertex_count x frame_count], normalized; single precision, so that
+                                               // more of them are in the cache
+  std::vector<Index> merged_into_;             // [vertex_count], kNone for representatives
+  std::vector<Index> priced_age_;              // [edge_count]: its age when its cost was computed, or kPutOff
+  std::vector<Vec3d> minima_;                  // [frame_count], scratch
+  CostQueue queue_;
+  bool check_fold_over_ = true;
+};
+
+struct Simplified {
+  Mesh mesh;                     // only vertices that a triangle uses
+  std::vector<Vec3f> positions;  // [mesh.vertex_count]
+  std::vector<Index> vertices;   // [mesh.vertex_count]: the representative, an index of the input
+};
+
+// One frame to at most `vertex_count` vertices, or as near as the topology allows.
+Simplified simplify(const Mesh& mesh, std::span<const Vec3f> positions, Index vertex_count,
+                    const ContractOptions& options);
+
+// What a contractor has come to, in one frame.
+Simplified simplified_mesh(const Contractor& contractor, const Mesh& mesh, std::size_t frame);
+
+}  // namespace limber

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "limber/contract/vertex_quadrics.h"
+
+#include <cassert>
+
+#include "limber/contract/edges.h"
+
+namespace limber {
+
+Normalization normalization(std::span<const Vec3f> positions) {
+  Box box;
+  for (const Vec3f& p : positions) box.add(static_cast<Vec3d>(p));
+  const double scale = 1 / box.diagonal();
+  return {box.center(), std::isfinite(scale) ? scale : 1.0};
+}
+
+VertexQuadrics::VertexQuadrics(const Mesh& mesh, const QuadricOptions& options)
+    : triangles_(mesh.triangles), options_(options), areas_(mesh.vertex_count) {
+  const Edges edges = find_edges(mesh);
+  for (Index e = 0; e < edges.ends.size(); ++e)
+    if (edges.triangle_count[e] == 1)
+      border_edges_.push_back({edges.ends[e][0], edges.ends[e][1], edges.some_triangle[e]});
+}
+
+void VertexQuadrics::compute(std::span<const Vec3d> positions, std::span<Quadric> quadrics) {
+  assert(positions.size() == areas_.size() && quadrics.size() == areas_.size());
+  std::fill(quadrics.begin(), quadrics.end(), Quadric{});
+  std::fill(areas_.begin(), areas_.end(), 0.0);
+  double total_area = 0;
+  for (const auto& [a, b, c] : triangles_) {
+    const Vec3d& p = positions[a];
+    const Vec3d normal = cross(positions[b] - p, positions[c] - p);  // twice the area long
+    const double doubled_area = length(normal);
+    if (!(doubled_area > 0)) continue;
+    const double third = doubled_area * (1.0 / 6);
+    const Quadric q = Quadric::plane(normal * (1 / doubled_area), p, third);
+    quadrics[a] += q, quadrics[b] += q, quadrics[c] += q;
+    areas_[a] += third, areas_[b] += third, areas_[c] += third;
+    total_area += doubled_area * 0.5;
+  }
+  for (const auto& [from, to, triangle] : border_edges_) {
+    const auto& [a, b, c] = triangles_[triangle];
+    const Vec3d normal = cross(positions[b] - positions[a], positions[c] - positions[a]);
+    const Vec3d edge = positions[to] - positions[from];
+    const Vec3d across = cross(edge, normal);
+    const double across_length = length(across);
+    if (!(across_length > 0)) continue;
+    const Quadric q = Quadric::plane(across * (1 / across_length), positions[from],
+                                     options_.border_weight * 0.5 * squared_length(edge));
+    quadrics[from] += q, quadrics[to] += q;
+  }
+  // A vertex without area still needs a place of its own.
+  const auto vertex_count = static_cast<double>(areas_.size());
+  const double least_area = total_area > 0 ? 1e-6 * total_area / vertex_count : 1 / vertex_count;
+  for (std::size_t v = 0; v < areas_.size(); ++v)
+    quadrics[v].add_point(positions[v], options_.point_weight * std::max(areas_[v], least_area));
+}
+
+}  // namespace limber
