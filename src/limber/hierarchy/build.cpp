@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "limber/hierarchy/build.h"
+
+#include <cassert>
+#include <cmath>
+
+namespace limber {
+
+std::vector<Index> level_targets(Index vertex_count, const BuildOptions& options) {
+  if (!options.level_sizes.empty()) return options.level_sizes;
+  assert(options.branching > 1);
+  std::vector<Index> targets;
+  for (double size = vertex_count / options.branching; size >= kSmallestLevel; size /= options.branching)
+    targets.push_back(static_cast<Index>(std::lround(size)));
+  return targets;
+}
+
+Hierarchy build_hierarchy(const Mesh& mesh, std::span<const std::span<const Vec3f>> frames,
+                          const BuildOptions& options) {
+  Hierarchy hierarchy{{0, mesh.vertex_count}, std::vector<Index>(mesh.vertex_count, kNone)};
+  Contractor contractor(mesh, frames, options.contract);
+  const Index isolated_count = mesh.vertex_count - contractor.vertex_count();
+
+  // node_of[v]: the node on the level made last that v belongs to.
+  std::vector<Index> node_of(mesh.vertex_count);
+  for (Index v = 0; v < mesh.vertex_count; ++v) node_of[v] = v;
+  for (const Index target : level_targets(contractor.vertex_count(), options)) {
+    const Index size = contractor.contract_to(target) + isolated_count;
+    const Index level = hierarchy.level_count();
+    if (size == hierarchy.level_size(level - 1)) continue;
+    const Index first = hierarchy.node_count();
+    hierarchy.level_begin.push_back(first + size);
+    hierarchy.parent.resize(first + size, kNone);
+    std::vector<Index> node_of_representative(mesh.vertex_count, kNone);
+    Index next = first;
+    for (Index v = 0; v < mesh.vertex_count; ++v) {
+      Index& node = node_of_representative[contractor.representative(v)];
+      if (node == kNone) node = next++;
+      hierarchy.parent[node_of[v]] = node;
+      node_of[v] = node;
+    }
+    assert(next == hierarchy.node_count());
+  }
+  return hierarchy;
+}
+
+}  // namespace limber

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// The multilevel mesh of the first frame (Kircher & Garland 2005, section 3).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "limber/base/mesh.h"
+#include "limber/base/vec.h"
+#include "limber/contract/contract.h"
+#include "limber/hierarchy/hierarchy.h"
+
+namespace limber {
+
+struct BuildOptions {
+  // Each level has 1/branching of the vertices of the one below, > 1.
+  double branching = 8;
+  // Exact vertex counts of the levels above the finest, decreasing; in place of `branching` where not empty.
+  std::vector<Index> level_sizes;
+  ContractOptions contract;
+};
+
+// No level is made with fewer vertices than this by `branching`; level_sizes may go lower.
+inline constexpr Index kSmallestLevel = 12;
+
+// Contracts the mesh level by level under the quadrics of all the given frames together; at least one, each
+// [mesh.vertex_count], finite. Isolated vertices have a node of their own on every level, beyond the size asked for.
+// A level that the topology does not allow to be as small as asked is as small as it can be; levels that would equal
+// the one below are left out. Nodes of a level are numbered by their first vertex.
+Hierarchy build_hierarchy(const Mesh& mesh, std::span<const std::span<const Vec3f>> frames,
+                          const BuildOptions& options);
+
+// The vertex counts that build_hierarchy aims at above the finest level, for a mesh of this many vertices.
+std::vector<Index> level_targets(Index vertex_count, const BuildOptions& options);
+
+}  // namespace limber

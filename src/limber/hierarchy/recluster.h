@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// A hierarchy that follows a deforming mesh by swaps (Kircher & Garland 2005, sections 4 and 5).
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "limber/base/mesh.h"
+#include "limber/base/quadric.h"
+#include "limber/base/vec.h"
+#include "limber/contract/contract.h"
+#include "limber/hierarchy/clusters.h"
+#include "limber/hierarchy/hierarchy.h"
+#include "limber/hierarchy/level_graph.h"
+#include "limber/hierarchy/swap_validity.h"
+
+namespace limber {
+
+struct ReclusterOptions {
+  Topology topology = Topology::kPreserve;
+  QuadricOptions quadrics;
+  // The exponent beta of equation 2: the total error of a level grows as its size to the power of -beta. Fitted to
+  // the levels of the first frame where not given; the paper used 1.9127.
+  std::optional<double> growth;
+  // A factor on the weight of each level against the one below it, beside equation 2, > 0. The paper's is 1; less
+  // than that leaves the finer levels more freedom.
+  double coarser_weight = 0.2;
+  // A swap is worth making when it lowers the weighted error by more than this share of the mean error of the
+  // clusters on its level, >= 0: what trades error against changes, time and bytes.
+  double threshold = 0.05;
+};
+
+// Follows a clip frame by frame. One frame of memory.
+class Reclusterer {
+ public:
+  // `base` is any valid hierarchy over the mesh (build.h), which must outlive this object.
+  Reclusterer(const Mesh& mesh, Hierarchy base, const ReclusterOptions& options);
+
+  // Adapts the hierarchy to the next frame; positions: [vertex_count], finite. Gives the net parent changes since the
+  // frame before, by node; in the first frame, the improvements of the base hierarchy, made without a threshold.
+  std::span<const Swap> step(std::span<const Vec3f> positions);
+
+  // All of the last step:
+  const Hierarchy& hierarchy() const { return hierarchy_; }
+  // [node_count]; finest nodes have the positions given, others the minimum of their quadric.
+  std::span<const Vec3f> positions() const { return positions_; }
+  // [node_count]; square root of the quadric error, 0 for finest nodes (see stream/frame_state.h for the unit).
+  std::span<const float> errors() const { return errors_; }
+  // Sum of the quadric errors of a level, normalized by the frame's diagonal to the fourth power.
+  double total_error(Index level) const;
+  // The exponent in use, after the first step.
+  double growth() const { return growth_; }
+
+ private:
+  struct Candidate {
+    double benefit;
+    Index node, to;
+  };
+
+  void place_all();
+  void place(Index node);
+  double fitted_growth() const;
+  double benefit(Index node, Index to) const;
+  Candidate best_swap(const LevelGraph& graph, Index node, double least_benefit);
+  void apply(const LevelGraph& graph, Index node, Index to);
+  void touch(const LevelGraph& graph, Index cluster);
+  void improve_level(Index level, double threshold);
+
+  const Mesh& mesh_;
+  ReclusterOptions options_;
+  Hierarchy hierarchy_;
+  Clusters clusters_;
+  SwapValidity is_valid_;
+  VertexQuadrics vertex_quadrics_;
+  LevelGraphBuilder graph_builder_;
+  std::vector<LevelGraph> graphs_;     // [level_count - 1]: levels whose nodes have parents
+  std::vector<double> level_weight_;   // [level_count]: of a level against the one below
+  double growth_ = 0;
+  double scale_ = 0;                   // of the first frame's normalization, used for all
+  bool first_ = true;
+
+  std::vector<Quadric> quadrics_;      // [node_count]
+  std::vector<Vec3d> minima_;          // [node_count], normalized; finest nodes where they are
+  std::vector<double> energies_;       // [node_count], quadric errors
+  std::vector<Vec3f> positions_;       // [node_count]
+  std::vector<float> errors_;          // [node_count]
+  std::vector<Index> parents_before_;  // [node_count]
+  std::vector<Swap> swaps_;
+
+  std::vector<Candidate> candidates_;  // scratch of a pass
+  std::vector<Index> pending_;         // nodes to look at in the next pass
+  std::vector<Index> mark_;            // [node_count]: pending when == pass_
+  Index pass_ = 0;
+};
+
+}  // namespace limber

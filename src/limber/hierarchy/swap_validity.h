@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which swaps are allowed (Kircher & Garland 2005, sections 4.2 and 4.3).
+#pragma once
+
+#include "limber/contract/contract.h"
+#include "limber/hierarchy/clusters.h"
+#include "limber/hierarchy/hierarchy.h"
+#include "limber/hierarchy/level_graph.h"
+
+namespace limber {
+
+class SwapValidity {
+ public:
+  // All of them must outlive this object, and clusters must follow the hierarchy.
+  SwapValidity(const Hierarchy& hierarchy, const Clusters& clusters, Topology topology)
+      : hierarchy_(hierarchy), clusters_(clusters), topology_(topology) {}
+
+  // Whether `node`, which lies on the level of `graph`, may leave its cluster for `to`, the cluster of a neighbour:
+  // at this level and at all coarser ones, up to the first cluster that holds both, every cluster must stay
+  // connected, and with Topology::kPreserve every level must stay homeomorphic to what it was.
+  // Preconditions: some neighbour of node has the parent `to`, which is not node's own.
+  bool operator()(const LevelGraph& graph, Index node, Index to);
+
+ private:
+  bool keeps_homeomorphism(const LevelGraph& graph, Index node, Index from, Index to, Index levels_up);
+  bool keeps_connection(const LevelGraph& graph, Index node, Index from, Index levels_up);
+  bool are_joined(const LevelGraph& graph, Index cluster, Index other, Index levels_up, Index except) const;
+  Index ancestor(Index node, Index levels_up) const {
+    for (; levels_up > 0; --levels_up) node = hierarchy_.parent[node];
+    return node;
+  }
+  // visit(node on the level of the graph) for what a cluster holds; stops when visit gives true, and then gives true.
+  template <class Visit>
+  bool any_of(Index cluster, Index levels_down, Visit&& visit) const;
+
+  const Hierarchy& hierarchy_;
+  const Clusters& clusters_;
+  Topology topology_;
+  std::vector<Index> runs_;     // scratch: labels around the node, one for each run
+  std::vector<Index> reached_;  // scratch of the search for connection
+  std::vector<Index> mark_;
+  Index stamp_ = 0;
+};
+
+}  // namespace limber
