@@ -50,7 +50,9 @@ void LevelGraphBuilder::find_neighbours(Index node_count, LevelGraph& graph) {
   for (const auto& [a, b] : graph.edges) ++incidence_begin_[a - first + 1], ++incidence_begin_[b - first + 1];
   for (Index i = 0; i < node_count; ++i) incidence_begin_[i + 1] += incidence_begin_[i];
   incidences_.resize(incidence_begin_.back());
-  const auto put = [&](Index node, Index from, Index to) { incidences_[incidence_begin_[node - first]++] = {from, to}; };
+  const auto put = [&](Index node, Index from, Index to) {
+    incidences_[incidence_begin_[node - first]++] = {from, to};
+  };
   for (const auto& [a, b, c] : graph.triangles) put(a, b, c), put(b, c, a), put(c, a, b);
   for (const auto& [a, b] : graph.edges) put(a, b, kNone), put(b, a, kNone);
   for (Index i = node_count; i > 0; --i) incidence_begin_[i] = incidence_begin_[i - 1];

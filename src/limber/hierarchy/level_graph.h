@@ -19,12 +19,12 @@ enum class Star : unsigned char {
 };
 
 struct LevelGraph {
-  Index first_node = 0;              // of the level; all indices below are of nodes, not counted from it
-  std::vector<Triangle> triangles;   // the images of the finest triangles that have not degenerated, in their order
+  Index first_node = 0;             // of the level; all indices below are of nodes, not counted from it
+  std::vector<Triangle> triangles;  // the images of the finest triangles that have not degenerated, in their order
   std::vector<std::array<Index, 2>> edges;  // images of finest edges; kept only where triangles may vanish around them
-  std::vector<Index> begin;          // [level_size + 1], into neighbours
-  std::vector<Index> neighbours;     // nodes joined by an edge, each once
-  std::vector<Star> star;            // [level_size]
+  std::vector<Index> begin;                 // [level_size + 1], into neighbours
+  std::vector<Index> neighbours;            // nodes joined by an edge, each once
+  std::vector<Star> star;                   // [level_size]
 
   Index size() const { return static_cast<Index>(star.size()); }
   std::span<const Index> around(Index node) const {

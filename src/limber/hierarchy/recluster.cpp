@@ -27,6 +27,7 @@ namespace limber {
 namespace {
 
 constexpr double kPaperGrowth = 1.9127;
+constexpr double kRounding = 1e-18;  // of errors of a surface of unit size
 
 }  // namespace
 
@@ -77,7 +78,7 @@ double Reclusterer::fitted_growth() const {
   for (Index level = 1; level < hierarchy_.level_count(); ++level) {
     const double error = total_error(level);
     if (!(error > 0)) continue;
-    const double x = portable::log(hierarchy_.level_size(level)), y = portable::log(error);
+    const double x = portable_log(hierarchy_.level_size(level)), y = portable_log(error);
     count += 1, sx += x, sy += y, sxx += x * x, sxy += x * y;
   }
   const double spread = count * sxx - sx * sx;
@@ -145,10 +146,9 @@ void Reclusterer::apply(const LevelGraph& graph, Index node, Index to) {
 
 void Reclusterer::improve_level(Index level, double threshold) {
   const LevelGraph& graph = graphs_[level];
-  const double least_benefit = threshold * total_error(level + 1) / hierarchy_.level_size(level + 1);
-  // Rounding alone must not look like a benefit.
-  const double noise = 1e-14 * graph.size() / hierarchy_.level_size(level + 1);
-  const double least = std::max(least_benefit, noise * 1e-6);
+  // At least so much that rounding alone does not look like a benefit, on flat surfaces too.
+  const double least =
+      (std::max(threshold, 1e-6) * total_error(level + 1) + kRounding) / hierarchy_.level_size(level + 1);
   pending_.resize(graph.size());
   for (Index i = 0; i < graph.size(); ++i) pending_[i] = graph.first_node + i;
   while (!pending_.empty()) {
@@ -162,7 +162,8 @@ void Reclusterer::improve_level(Index level, double threshold) {
     ++pass_;
     for (const Candidate& c : candidates_) {
       // Swaps made since may have taken the benefit away or made another target better; then the next pass decides.
-      if (const bool untouched = mark_[c.node] != pass_; !untouched && benefit(c.node, c.to) < 0.5 * c.benefit) continue;
+      if (const bool untouched = mark_[c.node] != pass_; !untouched && benefit(c.node, c.to) < 0.5 * c.benefit)
+        continue;
       if (is_valid_(graph, c.node, c.to)) apply(graph, c.node, c.to);
     }
   }
@@ -181,8 +182,8 @@ std::span<const Swap> Reclusterer::step(std::span<const Vec3f> positions) {
   if (first_) {
     growth_ = options_.growth.value_or(fitted_growth());
     for (Index level = 2; level < hierarchy_.level_count(); ++level) {
-      const double ratio = double{1} * hierarchy_.level_size(level) / hierarchy_.level_size(level - 1);
-      level_weight_[level] = options_.coarser_weight * portable::exp(growth_ * portable::log(ratio));
+      const double ratio = static_cast<double>(hierarchy_.level_size(level)) / hierarchy_.level_size(level - 1);
+      level_weight_[level] = options_.coarser_weight * portable_exp(growth_ * portable_log(ratio));
     }
   }
   parents_before_ = hierarchy_.parent;

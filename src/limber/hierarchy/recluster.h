@@ -74,10 +74,10 @@ class Reclusterer {
   SwapValidity is_valid_;
   VertexQuadrics vertex_quadrics_;
   LevelGraphBuilder graph_builder_;
-  std::vector<LevelGraph> graphs_;     // [level_count - 1]: levels whose nodes have parents
-  std::vector<double> level_weight_;   // [level_count]: of a level against the one below
+  std::vector<LevelGraph> graphs_;    // [level_count - 1]: levels whose nodes have parents
+  std::vector<double> level_weight_;  // [level_count]: of a level against the one below
   double growth_ = 0;
-  double scale_ = 0;                   // of the first frame's normalization, used for all
+  double scale_ = 0;  // of the first frame's normalization, used for all
   bool first_ = true;
 
   std::vector<Quadric> quadrics_;      // [node_count]
