@@ -67,20 +67,22 @@ bool SwapValidity::keeps_homeomorphism(const LevelGraph& graph, Index node, Inde
   return true;
 }
 
-// Whether the members of `from` around `node` are connected with each other inside `from` without it: searched from
-// one of them until all are found.
-bool SwapValidity::keeps_connection(const LevelGraph& graph, Index node, Index from, Index levels_up) {
+// Whether the node has a neighbour in `to`, and those that it has in `from` are connected with each other inside `from`
+// without it: searched from one of them until all are found.
+bool SwapValidity::keeps_connection(const LevelGraph& graph, Index node, Index from, Index to, Index levels_up) {
   if (mark_.size() < hierarchy_.node_count()) mark_.resize(hierarchy_.node_count(), 0);
   const Index sought = ++stamp_, found = ++stamp_;
   std::size_t left = 0;
   Index start = kNone;
+  bool to_found = false;
   for (const Index n : graph.around(node)) {
+    to_found |= ancestor(n, levels_up) == to;
     if (ancestor(n, levels_up) != from) continue;
     mark_[n] = sought;
     start = n;
     ++left;
   }
-  if (left == 0) return false;
+  if (left == 0 || !to_found) return false;
   reached_.assign(1, start);
   mark_[start] = found;
   --left;
@@ -102,7 +104,7 @@ bool SwapValidity::operator()(const LevelGraph& graph, Index node, Index to) {
   if (topology_ == Topology::kPreserve && !regular) return false;  // no promise could be kept around it
   for (Index levels_up = 1; from != to; ++levels_up) {
     if (!(topology_ == Topology::kPreserve ? keeps_homeomorphism(graph, node, from, to, levels_up)
-                                           : keeps_connection(graph, node, from, levels_up)))
+                                           : keeps_connection(graph, node, from, to, levels_up)))
       return false;
     from = hierarchy_.parent[from];
     to = hierarchy_.parent[to];

@@ -15,15 +15,15 @@ class SwapValidity {
   SwapValidity(const Hierarchy& hierarchy, const Clusters& clusters, Topology topology)
       : hierarchy_(hierarchy), clusters_(clusters), topology_(topology) {}
 
-  // Whether `node`, which lies on the level of `graph`, may leave its cluster for `to`, the cluster of a neighbour:
-  // at this level and at all coarser ones, up to the first cluster that holds both, every cluster must stay
+  // Whether `node`, which lies on the level of `graph`, may leave its cluster for `to`: the parent of a neighbour.
+  // At this level and at all coarser ones, up to the first cluster that holds both, every cluster must stay
   // connected, and with Topology::kPreserve every level must stay homeomorphic to what it was.
-  // Preconditions: some neighbour of node has the parent `to`, which is not node's own.
+  // Precondition: `to` lies one level above node and is not its parent.
   bool operator()(const LevelGraph& graph, Index node, Index to);
 
  private:
   bool keeps_homeomorphism(const LevelGraph& graph, Index node, Index from, Index to, Index levels_up);
-  bool keeps_connection(const LevelGraph& graph, Index node, Index from, Index levels_up);
+  bool keeps_connection(const LevelGraph& graph, Index node, Index from, Index to, Index levels_up);
   bool are_joined(const LevelGraph& graph, Index cluster, Index other, Index levels_up, Index except) const;
   Index ancestor(Index node, Index levels_up) const {
     for (; levels_up > 0; --levels_up) node = hierarchy_.parent[node];

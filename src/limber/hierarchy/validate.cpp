@@ -35,6 +35,9 @@ Validator::Validator(const Mesh& mesh, Topology topology)
   if (topology_ != Topology::kPreserve) return;
   builder_.build_finest(mesh, false, finest_);
   finest_shapes_ = shapes(finest_, component_);
+  is_manifold_.assign(component_count_, 1);
+  for (Index v = 0; v < mesh.vertex_count; ++v)
+    if (finest_.star_of(v) == Star::kIrregular) is_manifold_[component_[v]] = 0;
 }
 
 std::optional<Violation> Validator::check_tree(const Hierarchy& hierarchy) const {
@@ -123,7 +126,9 @@ std::optional<Violation> Validator::check_shape(const Hierarchy& hierarchy, Inde
   for (Index i = 0; i < size; ++i)
     if (regular[i] && image_.star[i] == Star::kIrregular) return Violation{kName, level, first + i};
 
-  if (shapes(image_, component_of_node) != finest_shapes_) return Violation{kName, level, kNone};
+  const std::vector<Shape> image_shapes = shapes(image_, component_of_node);
+  for (Index c = 0; c < component_count_; ++c)
+    if (is_manifold_[c] && image_shapes[c] != finest_shapes_[c]) return Violation{kName, level, kNone};
   return std::nullopt;
 }
 

@@ -26,10 +26,10 @@ struct Violation {
 // Checks hierarchies over one mesh; keeps what it knows of the mesh, and its memory, between calls.
 class Validator {
  public:
-  // With Topology::kPreserve, `manifold-kept` is checked too: beside every node that holds only vertices with a
-  // regular star, the star is regular; and every component of every level has
-  // the Euler characteristic and the number of border loops of the finest one, which for manifold input together mean
-  // that it is homeomorphic. The mesh must outlive the validator.
+  // With Topology::kPreserve, `manifold-kept` is checked too: a node that holds only vertices with a regular star has a
+  // regular star itself, and every manifold component has the Euler characteristic and the number of border loops that
+  // it has on the finest level, which together mean that it is homeomorphic. Of a component that is not manifold no
+  // more than the first is promised. The mesh must outlive the validator.
   Validator(const Mesh& mesh, Topology topology);
 
   std::optional<Violation> operator()(const Hierarchy& hierarchy);
@@ -56,9 +56,10 @@ class Validator {
   LevelGraphBuilder builder_;
   LevelGraph finest_;
   LevelGraph image_;
-  std::vector<Shape> finest_shapes_;  // [component_count_]
-  std::vector<Index> ancestor_;       // [vertex_count]: on the level at work
-  std::vector<Index> union_;          // [vertex_count]: union-find
+  std::vector<Shape> finest_shapes_;        // [component_count_]
+  std::vector<unsigned char> is_manifold_;  // [component_count_]
+  std::vector<Index> ancestor_;             // [vertex_count]: on the level at work
+  std::vector<Index> union_;                // [vertex_count]: union-find
 };
 
 }  // namespace limber
