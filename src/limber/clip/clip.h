@@ -41,14 +41,16 @@ class ClipReader {
 };
 
 struct ClipOptions {
-  std::string mesh;                         // the base mesh of a point cache; empty: the only mesh beside it
-  std::optional<std::uint32_t> first;       // first and last frame numbers to read, as the source numbers them
+  std::string mesh;                    // the base mesh of a point cache; empty: the only mesh beside it
+  std::optional<std::uint32_t> first;  // first and last frame numbers to read, as the source numbers them
   std::optional<std::uint32_t> last;
 };
 
 // Opens whatever the specification names: a printf pattern, glob or folder of .obj/.ply/.off frames; a .pc2 or
-// .mdd with its mesh; a generated `sample:NAME?vertices=N&frames=N`; a single mesh (a clip of one frame).
-// A specification that names none of them, and a source whose first frame breaks a rule, give an error.
+// .mdd with its mesh, or the folder that holds just these; a generated `sample:NAME?vertices=N&frames=N`; a single
+// mesh (a clip of one frame).
+// A specification that names none of them, and a source whose first frame breaks a rule, give an error; so do, when
+// they are read, frames of another connectivity than the first (kMismatch).
 Result<std::unique_ptr<ClipReader>> open_clip(std::string_view specification, const ClipOptions& options);
 
 // Frames out, one at a time. Nothing is at the final name until finish() succeeds; a writer destroyed
@@ -65,13 +67,14 @@ class ClipWriter {
 };
 
 struct ClipWriterOptions {
-  bool replace = false;                // may an existing output be replaced?
+  bool replace = false;  // may an existing output be replaced?
   std::uint32_t first_frame_number = 0;
   double frames_per_second = 24.0;
 };
 
-// The format comes from the name: `out/%04d.obj|ply|off`, `out.pc2`, `out.mdd` (the last two write the mesh of
-// the first frame beside them, as out.obj).
+// The format comes from the name: `out/%04d.obj|ply|off` (or `out.obj` for a single frame), `out.pc2`, `out.mdd` (the
+// last two write the mesh of the first frame beside them, as out.obj). An output that is there already is kExists
+// unless options.replace; a clip without frames is kBadInput when it is finished.
 Result<std::unique_ptr<ClipWriter>> create_clip(std::string_view path, const Mesh& mesh,
                                                 const ClipWriterOptions& options);
 
