@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// The hierarchy while its changes are coded: parents with lists of children, and the clusters that lie beside a
+// node's. Part of the player.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "limber/hierarchy/hierarchy.h"
+#include "limber/stream/neighbors.h"
+
+namespace limber {
+
+// A cluster beside a node: the number of finest edges between the node's vertices and those of the cluster's
+// other members.
+struct Candidate {
+  Index parent;
+  std::uint32_t edge_count;
+};
+
+class Clusters {
+ public:
+  // Both must live as long as this.
+  Clusters(std::span<const Index> level_begin, const IndexLists& neighbors);
+
+  std::span<const Index> level_begin() const { return level_begin_; }
+  std::span<const Index> parents() const { return parent_; }
+
+  bool has_children(Index node) const { return first_child_[node] != kNone; }
+
+  // No node has a parent.
+  void clear();
+
+  // Precondition of both: swap.node is below the top and swap.parent one level above it; the node has no parent
+  // (place), or has one (apply).
+  void place(const Swap& swap);
+  void apply(const Swap& swap);
+
+  // By node less the number of finest vertices: whether apply() took a child or gave one since the last call of
+  // clear() or forget_changes().
+  std::span<const std::uint8_t> changed() const { return changed_; }
+  void forget_changes();
+
+  // The clusters of a node's level, other than its own, that an edge joins to it: those with the most edges first,
+  // then the lower. Valid until the next call. `own_edge_count`: edges to the rest of its own cluster.
+  // Precondition: below `level` every node has a parent.
+  std::span<const Candidate> candidates(Index level, Index node, std::uint32_t& own_edge_count);
+
+ private:
+  void link(Index node);
+  void gather(Index level, Index node, std::uint32_t& own_edge_count);
+
+  std::span<const Index> level_begin_;
+  const IndexLists& neighbors_;
+  std::vector<Index> parent_;                         // [node_count]
+  std::vector<Index> first_child_, next_, previous_;  // [node_count]: children in doubly linked lists
+  std::vector<Index> slot_;                           // [node_count]: where a cluster stands among the candidates
+  std::vector<Candidate> candidates_;
+  Index candidate_count_ = 0;
+  std::vector<std::uint8_t> changed_;
+};
+
+}  // namespace limber

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// Coding the positions of the nodes above the finest level. Part of the player.
+//
+// A node lies near the mean of its children, which are known by then, and how far from it changes slowly:
+//
+//   x(t) ~ mean of the children's x(t) + o(t-1) + past * (o(t-1) - o(t-2)),   o = x - mean of the children
+//
+// with the children as they are at each of the times, so that swaps are followed. At a key frame o = 0. A node
+// without children is predicted where it was.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "limber/hierarchy/hierarchy.h"
+#include "limber/stream/finest_positions.h"
+
+namespace limber {
+
+// What coding a frame leaves for the next. Indexed by node less the number of finest vertices.
+class CoarserPositions {
+ public:
+  explicit CoarserPositions(std::span<const Index> level_begin);
+
+  // Codes all nodes above the finest of a frame, level by level. `parent` [node_count]; `finest` [vertex_count] by
+  // place; `past` in 1/64, within +-kMostFactor; `actual(node)` gives the position to write; not called when reading.
+  template <class Coder, class Actual>
+  void code(bool key, std::int16_t past, std::span<const Index> parent, const Traversal& traversal,
+            std::span<const Lattice> finest, Coder& coder, Actual&& actual);
+
+  std::span<const Lattice> positions() const { return now_; }
+
+ private:
+  struct Children {
+    Lattice64 sum{};
+    std::int64_t count = 0;
+
+    void add(const Lattice& position) {
+      for (std::size_t k = 0; k < 3; ++k) sum[k] += position[k];
+      ++count;
+    }
+  };
+  struct Node {
+    Lattice64 offset{}, offset_before{};
+    std::uint32_t activity = 0;
+  };
+
+  std::span<const Index> level_begin_;
+  std::vector<Lattice> now_;
+  std::vector<Children> children_;
+  std::vector<Node> nodes_;
+};
+
+template <class Coder, class Actual>
+void CoarserPositions::code(bool key, std::int16_t past, std::span<const Index> parent, const Traversal& traversal,
+                            std::span<const Lattice> finest, Coder& coder, Actual&& actual) {
+  if (now_.empty()) return;
+  const Index vertex_count = level_begin_[1];
+  std::fill(children_.begin(), children_.end(), Children{});
+  for (Index place = 0; place < vertex_count; ++place)
+    children_[parent[traversal.order[place]] - vertex_count].add(finest[place]);
+
+  std::uint64_t neighborhood = 0;  // four times a running mean of the magnitudes
+  for (Index i = 0; i < now_.size(); ++i) {
+    Node& node = nodes_[i];
+    if (key) node = {};
+    const Children& children = children_[i];
+    Lattice64 mean{}, predicted{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      mean[k] = children.count > 0 ? children.sum[k] / children.count : now_[i][k];
+      const std::int64_t turn = (node.offset[k] - node.offset_before[k]) * past;
+      predicted[k] = mean[k] + node.offset[k] + ((turn + (1 << (kFactorBits - 1))) >> kFactorBits);
+    }
+    if (children.count == 0) node.offset = mean = {now_[i][0], now_[i][1], now_[i][2]}, predicted = mean;
+    Lattice target{};
+    if constexpr (Coder::kEncodes) target = actual(vertex_count + i);
+    std::uint64_t magnitudes = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint64_t expected =
+          key ? quadruple_mean(neighborhood + 4 * magnitudes, 12 + 4 * k)
+              : quadruple_mean(neighborhood + 4 * node.activity + 4 * magnitudes, 24 + 4 * k);
+      const auto prediction = static_cast<std::uint32_t>(predicted[k]);
+      std::int32_t residual = 0;
+      if constexpr (Coder::kEncodes)
+        residual = static_cast<std::int32_t>(static_cast<std::uint32_t>(target[k]) - prediction);
+      residual = coder.code(k, expected, residual);
+      now_[i][k] = static_cast<std::int32_t>(prediction + static_cast<std::uint32_t>(residual));
+      const auto bits = static_cast<std::uint32_t>(residual);
+      magnitudes += (residual < 0 ? 0u - bits : bits) & 0x3fffffff;
+    }
+    neighborhood += magnitudes - neighborhood / 4;
+    node.activity = static_cast<std::uint32_t>(magnitudes);
+    node.offset_before =
+        key ? Lattice64{now_[i][0] - mean[0], now_[i][1] - mean[1], now_[i][2] - mean[2]} : node.offset;
+    node.offset = {now_[i][0] - mean[0], now_[i][1] - mean[1], now_[i][2] - mean[2]};
+    if (parent[vertex_count + i] != kNone) children_[parent[vertex_count + i] - vertex_count].add(now_[i]);
+  }
+}
+
+}  // namespace limber

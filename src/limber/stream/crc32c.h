@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// CRC-32C (Castagnoli), eight bytes at a time: finds every change of up to 32 neighbouring bits, hence of any byte.
+// Part of the player.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "limber/stream/bytes.h"
+
+namespace limber {
+
+namespace crc32c_detail {
+
+using Tables = std::array<std::array<std::uint32_t, 256>, 8>;
+
+// tables[k][b]: what byte b does to the checksum when k more bytes follow it.
+constexpr Tables make_tables() {
+  Tables tables{};
+  for (std::uint32_t b = 0; b < 256; ++b) {
+    std::uint32_t c = b;
+    for (int i = 0; i < 8; ++i) c = (c >> 1) ^ ((c & 1) ? 0x82f63b78u : 0u);
+    tables[0][b] = c;
+  }
+  for (std::size_t k = 1; k < 8; ++k)
+    for (std::size_t b = 0; b < 256; ++b) tables[k][b] = (tables[k - 1][b] >> 8) ^ tables[0][tables[k - 1][b] & 0xff];
+  return tables;
+}
+
+inline constexpr Tables kTables = make_tables();
+
+}  // namespace crc32c_detail
+
+inline std::uint32_t crc32c(std::span<const std::byte> bytes) {
+  const auto& t = crc32c_detail::kTables;
+  std::uint32_t c = ~0u;
+  const std::byte* p = bytes.data();
+  std::size_t left = bytes.size();
+  for (; left >= 8; p += 8, left -= 8) {
+    const std::uint64_t w = load_little_endian<std::uint64_t>(p) ^ c;
+    c = t[7][w & 0xff] ^ t[6][(w >> 8) & 0xff] ^ t[5][(w >> 16) & 0xff] ^ t[4][(w >> 24) & 0xff] ^
+        t[3][(w >> 32) & 0xff] ^ t[2][(w >> 40) & 0xff] ^ t[1][(w >> 48) & 0xff] ^ t[0][w >> 56];
+  }
+  for (; left > 0; ++p, --left) c = (c >> 8) ^ t[0][(c ^ std::to_integer<std::uint32_t>(*p)) & 0xff];
+  return ~c;
+}
+
+}  // namespace limber
