@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+// Kircher & Garland 2005, section 5.1: "some arbitrary cut through the tree that should be maintained". The paper
+// updates the active triangles from stored changes of degenerate sets; here each frame's cut is made anew in flat
+// passes over all nodes, which is faster (docs/design.md) and needs nothing from the frame before but one bit per node.
+//
+//   count_children                        how many children of each node stand for any surface
+//   expand_...                            which nodes are expanded, by the criterion
+//   label_nodes                           from the top down: label(n) = label(parent), or n where that is expanded
+#include "limber/view/cut.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "limber/base/vec.h"
+
+namespace limber {
+
+namespace {
+
+bool is_degenerate(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
+
+// Adds to the area of each node that of its surface; a third of each triangle goes to each corner.
+void measure_areas(const Mesh& mesh, const FrameState& state, std::span<double> area) {
+  std::fill(area.begin(), area.end(), 0.0);
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3d a(state.positions[t[0]]), b(state.positions[t[1]]), c(state.positions[t[2]]);
+    const double third = length(cross(b - a, c - a)) / 6;
+    for (const Index corner : t) area[corner] += third;
+  }
+  const Index top_begin = state.hierarchy.level_begin[state.hierarchy.level_count() - 1];
+  for (Index n = 0; n < top_begin; ++n) area[state.hierarchy.parent[n]] += area[n];
+}
+
+double diagonal(std::span<const Vec3f> positions) {
+  Box box;
+  for (const Vec3f& p : positions) box.add(Vec3d(p));
+  return box.diagonal();
+}
+
+// The label of a node whose parent has the label `above`; `own` is that of a node whose parent is expanded. Written
+// without a choice because compilers make a branch of it that nothing can foresee; kNone has all bits set.
+Index label_below(Index above, Index own) { return above & (own | (Index{above == kNone} - 1)); }
+
+}  // namespace
+
+Cut::Cut(const Mesh& mesh, const Hierarchy& hierarchy, const CutOptions& options) {
+  assert(mesh.vertex_count == hierarchy.vertex_count());
+  triangle_count_ = mesh.triangles.size();
+  labels_.assign(hierarchy.node_count(), kNone);
+  set_options(options);
+  const std::size_t coarse_count = hierarchy.node_count() - hierarchy.vertex_count();
+  budget_.reserve(hierarchy);
+  has_surface_.assign(mesh.vertex_count, 0);
+  for (const Triangle& t : mesh.triangles) {
+    if (is_degenerate(t)) continue;
+    for (const Index corner : t) has_surface_[corner] = 1;
+  }
+  expanded_.assign(coarse_count, 0);
+  surface_children_.resize(coarse_count);
+  price_.resize(coarse_count);
+}
+
+void Cut::set_options(const CutOptions& options) {
+  assert(options.hysteresis >= 1 && options.error_bound >= 0);
+  options_ = options;
+  if (options.by == CutBy::kTriangles) images_.resize(triangle_count_);
+  if (options.by == CutBy::kError) area_.resize(labels_.size());
+}
+
+void Cut::count_children(const Hierarchy& hierarchy) {
+  const Index base = hierarchy.vertex_count();
+  const Index top_begin = hierarchy.level_begin[hierarchy.level_count() - 1];
+  std::fill(surface_children_.begin(), surface_children_.end(), 0);
+  if (top_begin == 0) return;
+  for (Index v = 0; v < base; ++v) surface_children_[hierarchy.parent[v] - base] += has_surface_[v];
+  for (Index n = base; n < top_begin; ++n) {
+    surface_children_[hierarchy.parent[n] - base] += surface_children_[n - base] != 0;
+  }
+}
+
+// A finest triangle is in the degenerate set of the finest node at which two of its corners meet, and is drawn iff that
+// node is expanded: the price of a node is the size of its set. Level by level, without branches: triangles are mapped
+// to the level, counted where two corners met, and kept where not.
+void Cut::price_triangles(const Mesh& mesh, const Hierarchy& hierarchy) {
+  const Index* parents = hierarchy.parent.data();
+  Triangle* images = images_.data();
+  std::size_t living = 0;
+  for (const Triangle& t : mesh.triangles) {
+    images[living] = t;
+    living += !is_degenerate(t);
+  }
+  std::fill(price_.begin(), price_.end(), 0);
+  for (Index level = 1; level < hierarchy.level_count(); ++level) {
+    std::uint32_t* price = price_.data();
+    const Index base = hierarchy.vertex_count();
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < living; ++i) {
+      const Index a = parents[images[i][0]], b = parents[images[i][1]], c = parents[images[i][2]];
+      const bool met = (a == b) | (b == c) | (c == a);
+      price[(b == c ? b : a) - base] += met;
+      images[kept] = {a, b, c};
+      kept += !met;
+    }
+    living = kept;
+  }
+  top_triangle_count_ = static_cast<std::uint32_t>(living);
+}
+
+void Cut::expand_down_to_level(const Hierarchy& hierarchy) {
+  const Index level = std::min(options_.level, hierarchy.level_count() - 1);
+  const Index first = hierarchy.level_begin[level + 1] - hierarchy.vertex_count();
+  for (Index n = 0; n < expanded_.size(); ++n) expanded_[n] = n >= first;
+}
+
+void Cut::expand_by_vertices(const FrameState& state) {
+  const Hierarchy& hierarchy = state.hierarchy;
+  const Index base = hierarchy.vertex_count();
+  const Index top_begin = hierarchy.level_begin[hierarchy.level_count() - 1];
+  for (std::size_t n = 0; n < price_.size(); ++n) price_[n] = std::max(surface_children_[n], 1u) - 1;
+  Index top_count = 0;
+  for (std::size_t n = top_begin - base; n < price_.size(); ++n) top_count += surface_children_[n] != 0;
+  const Index left = options_.budget > top_count ? options_.budget - top_count : 0;
+  budget_.choose(hierarchy, {std::span(state.errors).subspan(base), price_, left}, options_.hysteresis, expanded_);
+}
+
+void Cut::expand_by_triangles(const Mesh& mesh, const FrameState& state) {
+  price_triangles(mesh, state.hierarchy);
+  const Index left = options_.budget > top_triangle_count_ ? options_.budget - top_triangle_count_ : 0;
+  budget_.choose(state.hierarchy, {std::span(state.errors).subspan(state.hierarchy.vertex_count()), price_, left},
+                 options_.hysteresis, expanded_);
+}
+
+void Cut::expand_by_error(const Mesh& mesh, const FrameState& state) {
+  const Index base = state.hierarchy.vertex_count();
+  measure_areas(mesh, state, area_);
+  const double bound =
+      double{options_.error_bound} / 100 * diagonal(std::span(state.positions).first(mesh.vertex_count));
+  const double bounds[2] = {bound, bound / double{options_.hysteresis}};
+  for (std::size_t n = 0; n < expanded_.size(); ++n) {
+    expanded_[n] = double{state.errors[base + n]} > bounds[expanded_[n]] * std::sqrt(area_[base + n]);
+  }
+}
+
+// A node whose ancestors are not all expanded is not expanded either, whatever the criterion said of it.
+void Cut::label_nodes(const Hierarchy& hierarchy) {
+  const Index base = hierarchy.vertex_count();
+  const Index top_begin = hierarchy.level_begin[hierarchy.level_count() - 1];
+  const Index node_count = hierarchy.node_count();
+  const Index* parents = hierarchy.parent.data();
+  Index* labels = labels_.data();
+  std::uint8_t* expanded = expanded_.data();
+  const auto own_label = [&](Index n) { return n | (Index{0} - expanded[n - base]); };
+  for (Index n = node_count; n-- > std::max(top_begin, base);) labels[n] = own_label(n);
+  for (Index n = top_begin; n-- > base;) labels[n] = label_below(labels[parents[n]], own_label(n));
+  if (top_begin == 0) {
+    for (Index v = 0; v < base; ++v) labels[v] = v;
+  } else {
+    for (Index v = 0; v < base; ++v) labels[v] = label_below(labels[parents[v]], v);
+  }
+  for (Index n = base; n < node_count; ++n) expanded[n - base] = labels[n] == kNone;
+}
+
+void Cut::count_active(const Hierarchy& hierarchy) {
+  const Index base = hierarchy.vertex_count();
+  const Index* labels = labels_.data();
+  const std::uint32_t* children = surface_children_.data();
+  Index count = 0;
+  for (Index n = base; n < hierarchy.node_count(); ++n) count += (labels[n] == n) & (children[n - base] != 0);
+  if (hierarchy.level_count() == 1) {
+    for (const std::uint8_t has : has_surface_) count += has;
+  } else {
+    for (Index n = 0; n < hierarchy.level_size(1); ++n) count += expanded_[n] * children[n];
+  }
+  active_count_ = count;
+}
+
+void Cut::update(const Mesh& mesh, const FrameState& state) {
+  assert(labels_.size() == state.hierarchy.node_count() && state.errors.size() == labels_.size());
+  assert(mesh.vertex_count == has_surface_.size());
+  count_children(state.hierarchy);
+  switch (options_.by) {
+    case CutBy::kLevel: expand_down_to_level(state.hierarchy); break;
+    case CutBy::kVertices: expand_by_vertices(state); break;
+    case CutBy::kTriangles: expand_by_triangles(mesh, state); break;
+    case CutBy::kError: expand_by_error(mesh, state); break;
+  }
+  label_nodes(state.hierarchy);
+  count_active(state.hierarchy);
+}
+
+}  // namespace limber

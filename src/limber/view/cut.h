@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// A level of detail: exactly one active node on every path from a finest vertex to the top.
+// Part of the player: standard library only.
+//
+//   level 2 (top)     (o9)         [o10]        ( ) expanded: its children stand for it
+//                     /  \           |          [ ] active: drawn as one vertex
+//   level 1        [o6]  (o7)       o8
+//                  / \    / \       / \         label of o0 and o1 is o6, of o2 and o3 themselves,
+//   level 0      o0 o1 [o2][o3]   o4  o5        of o4, o5 and o8 o10, of o9 and o7 kNone
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "limber/base/mesh.h"
+#include "limber/hierarchy/hierarchy.h"
+#include "limber/stream/frame_state.h"
+#include "limber/view/budget.h"
+
+namespace limber {
+
+enum class CutBy {
+  kLevel,      // the nodes of one level
+  kVertices,   // at most so many active nodes, and the least error that they allow
+  kTriangles,  // at most so many triangles, and the least error that they allow
+  kError,      // the coarsest nodes whose distance from the surface they stand for is within a bound
+};
+
+struct CutOptions {
+  CutBy by = CutBy::kLevel;
+  Index level = 0;         // kLevel: 0 is the finest; clamped to the top
+  Index budget = 0;        // kVertices, kTriangles
+  float error_bound = 1;   // kError: percent of the bounding box diagonal of the frame, >= 0
+  float hysteresis = 1.25f;  // >= 1: how many times better a change must be than what the frame before had
+};
+
+// Budgets. The total squared error of the active nodes is made as small as the budget allows (see budget.h). Nothing is
+// coarser than the top level: a budget below that gives the top level. Isolated vertices (corners of no triangle that
+// has three different ones) cost nothing. A triangle budget counts the triangles of list_triangles() before equal ones are made one.
+//
+// Error bound. A node is contracted where errors[n] / sqrt(area) is within the bound: the root of the mean squared
+// distance over the area that the node stands for at this frame, a third of each finest triangle going to each corner.
+//
+// Hysteresis. Between frames a node that was expanded outranks one that was not unless the latter would gain more
+// than `hysteresis` times as much per vertex or triangle; under an error bound it stays expanded until it is within
+// bound / hysteresis. Budgets and bounds always hold. With hysteresis 1 a cut depends on its frame alone.
+class Cut {
+ public:
+  // Allocates all that updates need. `hierarchy` is any frame's of the clip: level sizes do not change.
+  Cut(const Mesh& mesh, const Hierarchy& hierarchy, const CutOptions& options);
+
+  // Takes effect at the next update, and may allocate. That update still has the hysteresis of the cut so far.
+  // Preconditions here and above: hysteresis >= 1, error_bound >= 0.
+  void set_options(const CutOptions& options);
+  const CutOptions& options() const { return options_; }
+
+  // Makes the cut of this frame. Any frame may follow any other. Does not allocate.
+  // Precondition: the mesh and the level sizes that the cut was made with.
+  void update(const Mesh& mesh, const FrameState& state);
+
+  // [node_count]: the active node on the path from a node to the top, the node itself included; kNone for a node
+  // above the cut. Finest vertices (the first vertex_count) always have one.
+  std::span<const Index> labels() const { return labels_; }
+  bool is_active(Index node) const { return labels_[node] == node; }
+  // Whether a node lies above the cut.
+  bool is_expanded(Index node) const { return labels_[node] == kNone; }
+
+  // The number of active nodes that stand for any surface: isolated vertices do not.
+  Index active_count() const { return active_count_; }
+
+ private:
+  void count_children(const Hierarchy& hierarchy);
+  void price_triangles(const Mesh& mesh, const Hierarchy& hierarchy);
+  void expand_down_to_level(const Hierarchy& hierarchy);
+  void expand_by_vertices(const FrameState& state);
+  void expand_by_triangles(const Mesh& mesh, const FrameState& state);
+  void expand_by_error(const Mesh& mesh, const FrameState& state);
+  void label_nodes(const Hierarchy& hierarchy);
+  void count_active(const Hierarchy& hierarchy);
+
+  CutOptions options_;
+  Budget budget_;
+  std::vector<std::uint8_t> has_surface_;     // [vertex_count]
+  std::vector<Index> labels_;                 // [node_count]
+  std::vector<std::uint8_t> expanded_;        // [node_count - vertex_count], as are the next two
+  std::vector<std::uint32_t> surface_children_;
+  std::vector<std::uint32_t> price_;
+  std::vector<double> area_;       // [node_count], for an error bound
+  std::vector<Triangle> images_;   // [triangle_count_], for a triangle budget
+  std::size_t triangle_count_ = 0;
+  Index active_count_ = 0;
+  std::uint32_t top_triangle_count_ = 0;
+};
+
+}  // namespace limber
