@@ -17,7 +17,7 @@
 namespace limber::eval {
 
 struct ClipMeasureOptions {
-  DistanceOptions distance;              // its samples serve flicker too
+  DistanceOptions distance{};            // its samples serve flicker too
   std::uint32_t first_frame_number = 0;  // as the clip numbers its frames
 };
 

@@ -17,7 +17,7 @@ enum class Sampling {
 };
 
 struct DistanceOptions {
-  SampleOptions samples;
+  SampleOptions samples{};
   Sampling sampling = Sampling::kArea;
 };
 
