@@ -17,7 +17,7 @@ struct Scene {
   const RenderOptions& options;
   Projection projection;
   double near = 0.0;
-  double extent = 0.0;              // of the subject, to compare depths with
+  double extent = 0.0;                // of the subject, to compare depths with
   std::vector<ScreenPoint> points{};  // [positions]
   std::vector<Vec3f> own_normals{};   // computed where the subject brings none
   std::span<const Vec3f> normals{};   // [positions]; empty for flat shading

@@ -2,10 +2,13 @@
 #include "eval/ground.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace limber::eval {
 namespace {
+
+constexpr float kSkyShare = 0.80f, kKeyShare = 0.18f;  // of the darkness
 
 // 1 inside, falling smoothly to 0 at the borders of a square of side 1.
 float fade_to_border(double u, double v) {
@@ -14,11 +17,35 @@ float fade_to_border(double u, double v) {
   return static_cast<float>(t * t * (3.0 - 2.0 * t));
 }
 
+// A light from few directions leaves a pattern where the mesh is far from the ground. Dark places, which are near the
+// mesh, keep their edges; faint ones are smoothed over more texels.
+void blur(std::vector<float>& values, int size) {
+  for (const int radius : {1, 2, 3, 4}) {
+    for (const bool rows : {true, false}) {
+      const std::vector<float> before = values;
+      const std::size_t step = rows ? 1 : static_cast<std::size_t>(size);
+      for (int j = 0; j < size; ++j) {
+        for (int i = 0; i < size; ++i) {
+          const std::size_t k =
+              static_cast<std::size_t>(j) * static_cast<std::size_t>(size) + static_cast<std::size_t>(i);
+          const int place = rows ? i : j;
+          const int reach = std::min({radius, place, size - 1 - place});
+          float sum = before[k];
+          for (int d = 1; d <= reach; ++d)
+            sum += before[k - static_cast<std::size_t>(d) * step] + before[k + static_cast<std::size_t>(d) * step];
+          const float smooth = sum / static_cast<float>(2 * reach + 1);
+          const float keep = std::clamp((before[k] - 0.42f) * 5.0f, 0.0f, 1.0f);
+          values[k] = before[k] * keep + smooth * (1.0f - keep);
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 
-GroundShadow::GroundShadow(std::span<const Triangle> triangles, std::span<const Vec3f> positions, const Studio& studio,
-                           double height)
-    : up_(studio.up), height_(height), darkness_(static_cast<std::size_t>(kSize) * kSize, 0.0f) {
+GroundShadow::GroundShadow(std::span<const Vec3f> positions, const Vec3f& up, double height)
+    : up_(up), height_(height), darkness_(static_cast<std::size_t>(kSize) * kSize, 0.0f) {
   const Vec3d axis = std::fabs(up_.x) < 0.6 ? Vec3d{1.0, 0.0, 0.0} : Vec3d{0.0, 1.0, 0.0};
   across_ = cross(axis, up_);
   across_ *= 1.0 / length(across_);
@@ -29,14 +56,15 @@ GroundShadow::GroundShadow(std::span<const Triangle> triangles, std::span<const 
     if (is_finite(p)) box.add({dot(p, across_), dot(p, along_), dot(p, up_) - height_});
   }
   if (box.empty()) return;
-  const double reach =
-      0.55 * std::max(box.high.z, 0.0) + 0.25 * std::max(box.high.x - box.low.x, box.high.y - box.low.y);
-  const double side = std::max(box.high.x - box.low.x, box.high.y - box.low.y) + 2.0 * reach;
+  const double extent = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
+  const double side = 1.5 * extent + 1.1 * std::max(box.high.z, 0.0);
   if (!(side > 0.0)) return;
   texel_ = side / kSize;
   low_u_ = box.center().x - 0.5 * side;
   low_v_ = box.center().y - 0.5 * side;
+}
 
+std::vector<Receiver> GroundShadow::receivers() const {
   std::vector<Receiver> receivers;
   receivers.reserve(darkness_.size());
   const Vec3f up(up_);
@@ -46,19 +74,21 @@ GroundShadow::GroundShadow(std::span<const Triangle> triangles, std::span<const 
       receivers.push_back({Vec3f(p), up, up});
     }
   }
-  const std::vector<Reached> reached = reached_light(triangles, positions, studio.lights, receivers);
-  for (int j = 0; j < kSize; ++j) {
-    for (int i = 0; i < kSize; ++i) {
-      const std::size_t k = static_cast<std::size_t>(j) * kSize + static_cast<std::size_t>(i);
-      const float missing = 0.72f * (1.0f - reached[k].sky) + 0.20f * (1.0f - reached[k].key);
-      darkness_[k] = missing * fade_to_border((i + 0.5) / kSize, (j + 0.5) / kSize);
-    }
-  }
+  return receivers;
 }
 
-float GroundShadow::inverse_depth(const Vec3d& eye, const Vec3d& ray) const {
-  const double above = dot(eye, up_) - height_, falling = -dot(ray, up_);
-  return above > 0.0 && falling > 0.0 ? static_cast<float>(falling / above) : 0.0f;
+void GroundShadow::set_reached(std::span<const Reached> reached) {
+  assert(reached.size() == darkness_.size());
+  for (std::size_t k = 0; k < reached.size(); ++k) {
+    darkness_[k] = kSkyShare * (1.0f - reached[k].sky) + kKeyShare * (1.0f - reached[k].key);
+  }
+  blur(darkness_, kSize);
+  for (int j = 0; j < kSize; ++j) {
+    for (int i = 0; i < kSize; ++i) {
+      darkness_[static_cast<std::size_t>(j) * kSize + static_cast<std::size_t>(i)] *=
+          fade_to_border((i + 0.5) / kSize, (j + 0.5) / kSize);
+    }
+  }
 }
 
 float GroundShadow::darkness(const Vec3d& eye, const Vec3d& ray) const {

@@ -10,7 +10,7 @@
 namespace limber::eval {
 namespace {
 
-constexpr int kMapSize = 512;      // texels along the longer side
+constexpr int kMapSize = 448;      // texels along the longer side
 constexpr std::size_t kBatch = 8;  // depth maps in memory at once
 constexpr float kFar = -std::numeric_limits<float>::infinity();
 
@@ -62,15 +62,15 @@ void draw(const Vec3f& p, const Vec3f& q, const Vec3f& r, DepthMap& map) {
   if (!is_finite(p) || !is_finite(q) || !is_finite(r)) return;
   const float area = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
   if (area == 0.0f) return;
-  const int y0 = std::max(0, static_cast<int>(std::ceil(std::min({p.y, q.y, r.y}) - 0.5f)));
-  const int y1 = std::min(map.height - 1, static_cast<int>(std::floor(std::max({p.y, q.y, r.y}) - 0.5f)));
-  const int x0 = std::max(0, static_cast<int>(std::ceil(std::min({p.x, q.x, r.x}) - 0.5f)));
-  const int x1 = std::min(map.width - 1, static_cast<int>(std::floor(std::max({p.x, q.x, r.x}) - 0.5f)));
-  if (x0 > x1 || y0 > y1) return;
+  // Centres in [low, high): coordinates are positive, so that truncation is rounding down.
+  const auto first_center = [](float low) { return static_cast<int>(low + 0.5f); };
+  const int y0 = first_center(std::min({p.y, q.y, r.y})), y1 = first_center(std::max({p.y, q.y, r.y}));
+  const int x0 = first_center(std::min({p.x, q.x, r.x})), x1 = first_center(std::max({p.x, q.x, r.x}));
+  if (x0 >= x1 || y0 >= y1 || x1 > map.width || y1 > map.height) return;
   const float slope_x = ((q.z - p.z) * (r.y - p.y) - (r.z - p.z) * (q.y - p.y)) / area;
   const float slope_y = ((r.z - p.z) * (q.x - p.x) - (q.z - p.z) * (r.x - p.x)) / area;
   const Vec3f corners[3] = {p, q, r};
-  for (int y = y0; y <= y1; ++y) {
+  for (int y = y0; y < y1; ++y) {
     // The span of the row inside all three edges.
     const float center_y = static_cast<float>(y) + 0.5f;
     float left = std::numeric_limits<float>::infinity(), right = -left;
@@ -82,11 +82,10 @@ void draw(const Vec3f& p, const Vec3f& q, const Vec3f& r, DepthMap& map) {
       left = std::min(left, x), right = std::max(right, x);
     }
     if (!(left <= right)) continue;
-    const int first = std::max(x0, static_cast<int>(std::ceil(left - 0.5f)));
-    const int last = std::min(x1, static_cast<int>(std::floor(right - 0.5f)));
+    const int first = std::max(x0, first_center(left)), end = std::min(x1, first_center(right));
     float* row = map.top.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width);
     const float base = p.z + slope_y * (center_y - p.y);
-    for (int x = first; x <= last; ++x) {
+    for (int x = first; x < end; ++x) {
       row[x] = std::max(row[x], base + slope_x * (static_cast<float>(x) + 0.5f - p.x));
     }
   }
@@ -114,8 +113,10 @@ float open_share(const DepthMap& map, const Receiver& receiver, float cosine) {
   const int i = static_cast<int>(u), j = static_cast<int>(v);
   const float* t = map.top.data() + static_cast<std::size_t>(j) * static_cast<std::size_t>(map.width) + i;
   const float fu = u - static_cast<float>(i), fv = v - static_cast<float>(j);
-  const float near_row = (t[0] <= height ? 1.0f - fu : 0.0f) + (t[1] <= height ? fu : 0.0f);
-  const float far_row = (t[map.width] <= height ? 1.0f - fu : 0.0f) + (t[map.width + 1] <= height ? fu : 0.0f);
+  // Products rather than choices: the outcome of the comparisons cannot be predicted.
+  const auto lit = [height](float top) { return static_cast<float>(top <= height); };
+  const float near_row = lit(t[0]) * (1.0f - fu) + lit(t[1]) * fu;
+  const float far_row = lit(t[map.width]) * (1.0f - fu) + lit(t[map.width + 1]) * fu;
   return near_row * (1.0f - fv) + far_row * fv;
 }
 

@@ -110,6 +110,11 @@ TileBins bin_boxes(std::span<const PixelBox> boxes, int width, int height) {
   return bins;
 }
 
+std::span<const Index> items_of(const TileBins& bins, std::size_t tile) {
+  if (bins.offsets.empty()) return {};
+  return std::span(bins.items).subspan(bins.offsets[tile], bins.offsets[tile + 1] - bins.offsets[tile]);
+}
+
 void clear_tile(const TileBins& bins, std::size_t tile_index, int width, int height, int sample_count,
                 TileSamples& tile) {
   const int row = static_cast<int>(tile_index) / bins.columns, column = static_cast<int>(tile_index) % bins.columns;

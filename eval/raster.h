@@ -55,6 +55,9 @@ PixelBox pixel_box(std::span<const ScreenPoint> points, int width, int height, d
 // boxes: one for each item.
 TileBins bin_boxes(std::span<const PixelBox> boxes, int width, int height);
 
+// The items of a tile; none for bins that were never made.
+std::span<const Index> items_of(const TileBins& bins, std::size_t tile);
+
 // Visibility of one tile; reused between tiles.
 struct TileSamples {
   PixelBox pixels;

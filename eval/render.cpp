@@ -43,11 +43,6 @@ Outline make_outline(const Scene& scene) {
   return outline;
 }
 
-std::span<const Index> items_of(const TileBins& bins, std::size_t tile) {
-  if (bins.offsets.empty()) return {};
-  return std::span(bins.items).subspan(bins.offsets[tile], bins.offsets[tile + 1] - bins.offsets[tile]);
-}
-
 // The three lines that a triangle draws on itself.
 struct WireLines {
   EdgeFunctions edges;
@@ -156,6 +151,22 @@ Rgba8 resolve_pixel(const Picture& picture, const SamplePattern& pattern, const 
   return pixel_from_premultiplied(sum.light * scale, sum.alpha * scale);
 }
 
+// Light for the surface and the ground at once: both need the same depth maps.
+void light_up(Picture& picture) {
+  std::vector<Receiver> receivers;
+  if (picture.light) receivers = picture.light->receivers();
+  const std::size_t seen_count = receivers.size();
+  if (picture.ground) {
+    const std::vector<Receiver> below = picture.ground->receivers();
+    receivers.insert(receivers.end(), below.begin(), below.end());
+  }
+  if (receivers.empty()) return;
+  const std::vector<Reached> reached =
+      reached_light(picture.scene.subject.triangles, picture.scene.subject.positions, picture.studio.lights, receivers);
+  if (picture.light) picture.light->set_reached(std::span(reached).first(seen_count));
+  if (picture.ground) picture.ground->set_reached(std::span(reached).subspan(seen_count));
+}
+
 struct TileScratch {
   TileSamples samples;
   std::vector<float> strokes;
@@ -215,10 +226,11 @@ Image render(const Subject& subject, const Camera& camera, const RenderOptions& 
   picture.ink_strength = static_cast<float>(options.ink.a) / 255.0f;
   picture.background = linear_from_srgb(options.background);
   picture.background_alpha = static_cast<float>(options.background.a) / 255.0f;
-  if (options.occlusion) picture.light.emplace(picture.scene, picture.studio);
+  if (options.occlusion) picture.light.emplace(picture.scene);
   if (options.ground_height) {
-    picture.ground.emplace(subject.triangles, subject.positions, picture.studio, *options.ground_height);
+    picture.ground.emplace(picture.scene.subject.positions, picture.studio.up, *options.ground_height);
   }
+  light_up(picture);
 
   Image image(options.width, options.height, options.background);
   const SamplePattern pattern = sample_pattern(options.sample_count);

@@ -36,8 +36,8 @@ struct RenderOptions {
   double outline_width = 0.0;  // pixels, around silhouettes and borders; at least the wire's with a wireframe; 0: none
   Rgba8 ink{34, 37, 46, 255};  // of wire and outline; alpha is the strength
 
-  Rgba8 material{205, 200, 192, 255};
-  Rgba8 back_material{138, 152, 176, 255};  // of triangles seen from behind
+  Rgba8 material{192, 186, 177, 255};
+  Rgba8 back_material{118, 136, 166, 255};  // of triangles seen from behind
   Rgba8 background = kWhite;                // alpha 0: transparent
 
   ColorMap color_map = ColorMap::kHeat;

@@ -7,8 +7,8 @@
 namespace limber::eval {
 namespace {
 
-constexpr int kSkyCount = 112;
-constexpr int kKeyCount = 16;
+constexpr int kSkyCount = 96;
+constexpr int kKeyCount = 14;
 constexpr float kKeySpread = 0.13f;  // radius of the key light, as a tangent
 
 // From 0 below the horizon to 1 above it.
@@ -45,6 +45,7 @@ Studio make_studio(const CameraAxes& axes, const Vec3d& world_up) {
   studio.fill = unit_or(right * 0.85f + Vec3f(axes.up) * 0.10f + back * 0.50f, back);
 
   for (const Vec3f& d : sphere_directions(kSkyCount)) {
+    if (dot(d, back) < -0.6f) continue;
     // Directions away from the camera weigh less, so that hollows that face it stay open.
     const float sky = (0.22f + 0.78f * height_in_sky(d, studio.up)) * (0.45f + 0.55f * height_in_sky(d, back));
     studio.lights.push_back({d, sky, 0.0f});
@@ -76,15 +77,15 @@ Vec3f shade(const Studio& studio, const Surfel& s) {
   const float open = sky_share / std::max(1e-3f, 1.0f - 0.45f * luminance * (1.0f - sky_share));
 
   if (s.data) {
-    const float light = 0.50f * key + 0.14f * fill + open * (0.36f + 0.24f * up);
+    const float light = 0.56f * key + 0.14f * fill + open * (0.42f + 0.26f * up);
     const float level = light * (1.0f - 0.30f * edge);
     return {std::min(1.0f, s.albedo.x * level), std::min(1.0f, s.albedo.y * level), std::min(1.0f, s.albedo.z * level)};
   }
 
   const Vec3f key_color{1.00f, 0.965f, 0.91f}, fill_color{0.86f, 0.93f, 1.00f};
   const Vec3f sky_color{0.94f, 0.97f, 1.00f}, ground_color{0.62f, 0.58f, 0.54f};
-  const Vec3f sky = (sky_color * up + ground_color * (1.0f - up)) * (0.56f * open);
-  const Vec3f light = key_color * (0.92f * key) + fill_color * (0.16f * fill) + sky;
+  const Vec3f sky = (sky_color * up + ground_color * (1.0f - up)) * (0.44f * open);
+  const Vec3f light = key_color * (1.10f * key) + fill_color * (0.16f * fill) + sky;
 
   const Vec3f half = unit_or(studio.key + s.to_eye, s.to_eye);
   float lobe = std::max(0.0f, dot(n, half));
