@@ -102,7 +102,7 @@ struct Premultiplied {
 
 // A shadow that the frame of the picture cut off would show the frame on a white page.
 float fade_to_frame(const RenderOptions& options, int x, int y) {
-  const float width = 0.16f * static_cast<float>(std::min(options.width, options.height));
+  const float width = 0.22f * static_cast<float>(std::min(options.width, options.height));
   const auto fade = [width](int place, int size) {
     const float t = std::min(1.0f, static_cast<float>(std::min(place, size - 1 - place)) / width);
     return t * t * (3.0f - 2.0f * t);

@@ -37,7 +37,7 @@ struct RenderOptions {
   Rgba8 ink{34, 37, 46, 255};  // of wire and outline; alpha is the strength
 
   Rgba8 material{192, 186, 177, 255};
-  Rgba8 back_material{118, 136, 166, 255};  // of triangles seen from behind
+  Rgba8 back_material{152, 170, 200, 255};  // of triangles seen from behind
   Rgba8 background = kWhite;                // alpha 0: transparent
 
   ColorMap color_map = ColorMap::kHeat;
