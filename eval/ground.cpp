@@ -5,15 +5,17 @@
 #include <cassert>
 #include <cmath>
 
+#include "eval/finite.h"
+
 namespace limber::eval {
 namespace {
 
 constexpr float kSkyShare = 0.80f, kKeyShare = 0.18f;  // of the darkness
 
-// 1 inside, falling smoothly to 0 at the borders of a square of side 1.
+// 1 inside, falling smoothly to 0 at the circle inside a square of side 1.
 float fade_to_border(double u, double v) {
-  const double distance = std::min({u, v, 1.0 - u, 1.0 - v});
-  const double t = std::clamp(distance / 0.18, 0.0, 1.0);
+  const double radius = 2.0 * std::sqrt((u - 0.5) * (u - 0.5) + (v - 0.5) * (v - 0.5));
+  const double t = std::clamp((1.0 - radius) / 0.45, 0.0, 1.0);
   return static_cast<float>(t * t * (3.0 - 2.0 * t));
 }
 
@@ -44,20 +46,24 @@ void blur(std::vector<float>& values, int size) {
 
 }  // namespace
 
-GroundShadow::GroundShadow(std::span<const Vec3f> positions, const Vec3f& up, double height)
+GroundShadow::GroundShadow(std::span<const Triangle> triangles, std::span<const Vec3f> positions, const Vec3f& up,
+                           double height)
     : up_(up), height_(height), darkness_(static_cast<std::size_t>(kSize) * kSize, 0.0f) {
   const Vec3d axis = std::fabs(up_.x) < 0.6 ? Vec3d{1.0, 0.0, 0.0} : Vec3d{0.0, 1.0, 0.0};
   across_ = cross(axis, up_);
   across_ *= 1.0 / length(across_);
   along_ = cross(up_, across_);
   Box box;  // across, along, and height over the ground
-  for (const Vec3f& q : positions) {
-    const Vec3d p(q);
-    if (is_finite(p)) box.add({dot(p, across_), dot(p, along_), dot(p, up_) - height_});
+  for (const Triangle& t : triangles) {
+    if (!has_finite_corners(t, positions)) continue;
+    for (const Index corner : t) {
+      const Vec3d p(positions[corner]);
+      box.add({dot(p, across_), dot(p, along_), dot(p, up_) - height_});
+    }
   }
   if (box.empty()) return;
   const double extent = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
-  const double side = 1.5 * extent + 1.1 * std::max(box.high.z, 0.0);
+  const double side = 1.75 * extent + 1.2 * std::max(box.high.z, 0.0);
   if (!(side > 0.0)) return;
   texel_ = side / kSize;
   low_u_ = box.center().x - 0.5 * side;

@@ -13,7 +13,7 @@ namespace limber::eval {
 class GroundShadow {
  public:
   // The ground is the plane of the points p with dot(p, up) = height; up is unit.
-  GroundShadow(std::span<const Vec3f> positions, const Vec3f& up, double height);
+  GroundShadow(std::span<const Triangle> triangles, std::span<const Vec3f> positions, const Vec3f& up, double height);
 
   // The places to be measured.
   std::vector<Receiver> receivers() const;

@@ -7,6 +7,8 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include "eval/finite.h"
+
 namespace limber::eval {
 namespace {
 
@@ -40,7 +42,6 @@ void fit(std::span<const Vec3f> positions, DepthMap& map) {
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const Vec3f q{dot(positions[i], map.across), dot(positions[i], map.along), dot(positions[i], map.towards)};
     map.in_light[i] = q;
-    if (!is_finite(q)) continue;
     low_u = std::min(low_u, q.x), high_u = std::max(high_u, q.x);
     low_v = std::min(low_v, q.y), high_v = std::max(high_v, q.y);
   }
@@ -59,7 +60,6 @@ void fit(std::span<const Vec3f> positions, DepthMap& map) {
 }
 
 void draw(const Vec3f& p, const Vec3f& q, const Vec3f& r, DepthMap& map) {
-  if (!is_finite(p) || !is_finite(q) || !is_finite(r)) return;
   const float area = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
   if (area == 0.0f) return;
   // Centres in [low, high): coordinates are positive, so that truncation is rounding down.
@@ -96,6 +96,32 @@ void make_map(std::span<const Triangle> triangles, std::span<const Vec3f> positi
   look_along(towards, map);
   fit(positions, map);
   for (const Triangle& t : triangles) draw(map.in_light[t[0]], map.in_light[t[1]], map.in_light[t[2]], map);
+}
+
+// The triangles that hold light back, and only the vertices that they use, which decide what a map covers.
+struct Occluders {
+  std::vector<Triangle> triangles;
+  std::vector<Vec3f> positions;
+};
+
+Occluders occluders_of(std::span<const Triangle> triangles, std::span<const Vec3f> positions) {
+  Occluders occluders;
+  occluders.triangles.reserve(triangles.size());
+  std::vector<Index> place(positions.size(), kNone);
+  for (const Triangle& t : triangles) {
+    if (!has_finite_corners(t, positions)) continue;
+    Triangle placed;
+    for (std::size_t k = 0; k < 3; ++k) {
+      Index& index = place[t[k]];
+      if (index == kNone) {
+        index = static_cast<Index>(occluders.positions.size());
+        occluders.positions.push_back(positions[t[k]]);
+      }
+      placed[k] = index;
+    }
+    occluders.triangles.push_back(placed);
+  }
+  return occluders;
 }
 
 // The share of light at a receiver, filtered over the four nearest texels. A receiver is lifted off its own triangle
@@ -142,12 +168,15 @@ void add_light(const DepthMap& map, const DirectionalLight& light, const Receive
 
 std::vector<Reached> reached_light(std::span<const Triangle> triangles, std::span<const Vec3f> positions,
                                    std::span<const DirectionalLight> lights, std::span<const Receiver> receivers) {
+  const Occluders occluders = occluders_of(triangles, positions);
+  if (occluders.triangles.empty()) return std::vector<Reached>(receivers.size());
   std::vector<Sums> sums(receivers.size());
   std::vector<DepthMap> maps(std::min(kBatch, lights.size()));
   for (std::size_t first = 0; first < lights.size(); first += kBatch) {
     const std::size_t count = std::min(kBatch, lights.size() - first);
-    tbb::parallel_for(std::size_t{0}, count,
-                      [&](std::size_t k) { make_map(triangles, positions, lights[first + k].towards, maps[k]); });
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
+      make_map(occluders.triangles, occluders.positions, lights[first + k].towards, maps[k]);
+    });
     // Every receiver adds its lights in the same order on any number of threads.
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, receivers.size(), 2048), [&](const auto& range) {
       for (std::size_t k = 0; k < count; ++k) {

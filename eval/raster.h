@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which triangle is seen where: visibility by edge functions in homogeneous coordinates (Olano and Greer, Triangle Scan
 // Conversion using 2D Homogeneous Coordinates, 1997), which need no clipping. A sample on an edge that two triangles
-// share belongs to exactly one of them.
+// share belongs to exactly one of them; at a corner this holds up to rounding.
 #pragma once
 
 #include <cstddef>

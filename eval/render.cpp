@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
+#include "eval/finite.h"
 #include "eval/fragment.h"
 #include "eval/ground.h"
 #include "eval/light_buffer.h"
@@ -60,7 +62,7 @@ WireLines wire_lines(const Scene& scene, Index t) {
     if (!(slope > 0.0)) continue;
     lines.scale[k] = 1.0 / slope;
     const double height = p[k]->w > 0.0 ? lines.edges.det / (p[k]->w * slope) : 1e9;
-    lines.strength[k] = static_cast<float>(std::clamp(height / (3.5 * scene.options.wire_width), 0.12, 1.0));
+    lines.strength[k] = static_cast<float>(std::clamp(height / (4.5 * scene.options.wire_width), 0.10, 1.0));
   }
   return lines;
 }
@@ -98,11 +100,22 @@ struct Premultiplied {
   float alpha = 0.0f;
 };
 
+// A shadow that the frame of the picture cut off would show the frame on a white page.
+float fade_to_frame(const RenderOptions& options, int x, int y) {
+  const float width = 0.22f * static_cast<float>(std::min(options.width, options.height));
+  const auto fade = [width](int place, int size) {
+    const float t = std::min(1.0f, static_cast<float>(std::min(place, size - 1 - place)) / width);
+    return t * t * (3.0f - 2.0f * t);
+  };
+  return fade(x, options.width) * fade(y, options.height);
+}
+
 Premultiplied background_at(const Picture& picture, int x, int y) {
   Premultiplied result{picture.background * picture.background_alpha, picture.background_alpha};
   if (picture.ground) {
     const Projection& projection = picture.scene.projection;
-    const float dark = picture.ground->darkness(projection.eye(), projection.ray(x + 0.5, y + 0.5));
+    const float dark = picture.ground->darkness(projection.eye(), projection.ray(x + 0.5, y + 0.5)) *
+                       fade_to_frame(picture.scene.options, x, y);
     constexpr Vec3f kShadow{0.020f, 0.022f, 0.030f};
     result.light = result.light * (1.0f - dark) + kShadow * dark;
     result.alpha = result.alpha * (1.0f - dark) + dark;
@@ -196,9 +209,8 @@ void render_tile(const Picture& picture, const SamplePattern& pattern, std::size
 Box bounding_box(std::span<const Triangle> triangles, std::span<const Vec3f> positions) {
   Box box;
   for (const Triangle& t : triangles) {
-    for (const Index corner : t) {
-      if (is_finite(positions[corner])) box.add(Vec3d(positions[corner]));
-    }
+    if (!has_finite_corners(t, positions)) continue;
+    for (const Index corner : t) box.add(Vec3d(positions[corner]));
   }
   return box;
 }
@@ -207,9 +219,8 @@ double lowest_height(std::span<const Triangle> triangles, std::span<const Vec3f>
   const double l = length(up);
   double lowest = std::numeric_limits<double>::infinity();
   for (const Triangle& t : triangles) {
-    for (const Index corner : t) {
-      if (is_finite(positions[corner])) lowest = std::min(lowest, dot(Vec3d(positions[corner]), up));
-    }
+    if (!has_finite_corners(t, positions)) continue;
+    for (const Index corner : t) lowest = std::min(lowest, dot(Vec3d(positions[corner]), up));
   }
   return std::isfinite(lowest) && l > 0.0 ? lowest / l : 0.0;
 }
@@ -228,7 +239,7 @@ Image render(const Subject& subject, const Camera& camera, const RenderOptions& 
   picture.background_alpha = static_cast<float>(options.background.a) / 255.0f;
   if (options.occlusion) picture.light.emplace(picture.scene);
   if (options.ground_height) {
-    picture.ground.emplace(picture.scene.subject.positions, picture.studio.up, *options.ground_height);
+    picture.ground.emplace(subject.triangles, subject.positions, picture.studio.up, *options.ground_height);
   }
   light_up(picture);
 

@@ -37,7 +37,7 @@ struct RenderOptions {
   Rgba8 ink{34, 37, 46, 255};  // of wire and outline; alpha is the strength
 
   Rgba8 material{192, 186, 177, 255};
-  Rgba8 back_material{118, 136, 166, 255};  // of triangles seen from behind
+  Rgba8 back_material{152, 170, 200, 255};  // of triangles seen from behind
   Rgba8 background = kWhite;                // alpha 0: transparent
 
   ColorMap color_map = ColorMap::kHeat;
@@ -47,16 +47,17 @@ struct RenderOptions {
   bool occlusion = true;  // soft shadows of the mesh on itself
   // Height of the ground along the camera's up, on which the mesh casts a shadow; nothing: no ground. One height for
   // all frames of a clip keeps the shadow still.
-  std::optional<double> ground_height;
+  std::optional<double> ground_height = {};
 };
 
 // Precondition: width and height are at least 1; normals, colors and values are empty or [positions].
 Image render(const Subject& subject, const Camera& camera, const RenderOptions& options);
 
-// The box around the positions that triangles use and that are finite.
+// The box around the triangles whose positions are finite.
 Box bounding_box(std::span<const Triangle> triangles, std::span<const Vec3f> positions);
 
-// The least dot(position, up) over the same positions, `up` brought to unit length; 0 where there are none.
+// The least dot(position, up) over the corners of the same triangles, `up` brought to unit length; 0 where there are
+// none.
 double lowest_height(std::span<const Triangle> triangles, std::span<const Vec3f> positions, const Vec3d& up);
 
 }  // namespace limber::eval
