@@ -142,11 +142,11 @@ TEST(Distance, KnowsItsOwnError) {
 }
 
 TEST(Distance, FindsTheMaximumWhateverTheSeed) {
-  // A dent whose bottom, in the middle of one triangle of the approximation, few samples come near.
+  // A cone whose axis meets the approximation in the middle of a triangle, where few samples come near.
   const Shape coarse = test::square(2);
   const Shape fine = test::moved(test::square(64), [](Vec3f p) {
-    const float x = p.x - 0.375f, y = p.y - 0.125f, squared = x * x + y * y;
-    return Vec3f{p.x, p.y, 0.125f / (1 + 400 * squared) - 0.0625f * p.x};
+    const float x = p.x - 0.375f, y = p.y - 0.1875f;
+    return Vec3f{p.x, p.y, std::max(0.0f, 0.125f - std::sqrt(x * x + y * y))};
   });
   std::vector<double> largest;
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
