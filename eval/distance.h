@@ -26,7 +26,7 @@ struct DistanceOptions {
 struct OneWayDistance {
   double rms = 0;
   double mean = 0;
-  double max = 0;                // over the samples and the vertices
+  double max = 0;                // over the vertices, the samples, and uphill from the highest samples
   double rms_error = 0;          // standard error of `rms` from sampling
   std::size_t sample_count = 0;  // in rms and mean; the vertices, which count towards max, are not among them
 };

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "eval/distance.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <numbers>
 #include <tbb/global_control.h>
+#include <vector>
 
 #include "tests/eval/shapes.h"
 
@@ -71,7 +73,7 @@ TEST(Distance, OfAnInscribedOctahedronToItsSphereIsTheIntegral) {
   const double percent = 100 / (2 * std::sqrt(3));
   EXPECT_NEAR(distance.to_original.mean, percent * (1 - mean_length), 1e-3 * distance.to_original.mean);
   EXPECT_NEAR(distance.to_original.rms, percent * std::sqrt(1.5 - 2 * mean_length), 1e-3 * distance.to_original.rms);
-  EXPECT_NEAR(distance.to_original.max, percent * (1 - h), 2e-2 * distance.to_original.max);
+  EXPECT_NEAR(distance.to_original.max, percent * (1 - h), 2e-4 * distance.to_original.max);
 }
 
 TEST(Distance, OfAShiftedSphereIsTheCosineOfTheShift) {
@@ -137,6 +139,21 @@ TEST(Distance, KnowsItsOwnError) {
   const double spread = std::sqrt((squares - sum * sum / seeds) / (seeds - 1));
   EXPECT_LT(spread, 1.5 * stated);
   EXPECT_LT(stated, 0.02 * sum / seeds);
+}
+
+TEST(Distance, FindsTheMaximumWhateverTheSeed) {
+  // A cone whose axis meets the approximation in the middle of a triangle, where few samples come near.
+  const Shape coarse = test::square(2);
+  const Shape fine = test::moved(test::square(64), [](Vec3f p) {
+    const float x = p.x - 0.375f, y = p.y - 0.1875f;
+    return Vec3f{p.x, p.y, std::max(0.0f, 0.125f - std::sqrt(x * x + y * y))};
+  });
+  std::vector<double> largest;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    largest.push_back(measure_distance(fine, coarse, {.samples = {.at_least = 2000, .seed = seed}}).to_original.max);
+  }
+  std::sort(largest.begin(), largest.end());
+  EXPECT_GT(largest.front(), 0.995 * largest.back());
 }
 
 TEST(Distance, CountsVerticesTowardsTheMaximum) {

@@ -86,12 +86,12 @@ TEST(AreaSamples, SpreadsEvenlyOverASurfaceWithoutArea) {
   EXPECT_EQ(counts, (std::array<int, 2>{5, 5}));
 }
 
-TEST(AreaSamples, FallsAsOftenOnEachOfManyTrianglesAsThereAreSeeds) {
-  // Fewer samples than triangles: over many seeds each triangle is chosen equally often.
-  const Shape sphere = test::square(4);  // 32 triangles of one size
+TEST(AreaSamples, FallsEquallyOftenOnTrianglesOfOneSizeOverManySeeds) {
+  // Fewer samples than triangles: 4 on 32.
+  const Shape square = test::square(4);
   std::vector<int> counts(32, 0);
   for (std::uint64_t seed = 0; seed < 3200; ++seed) {
-    for (const SurfaceSample& sample : all(AreaSamples(sphere, 4, seed))) ++counts[sample.triangle];
+    for (const SurfaceSample& sample : all(AreaSamples(square, 4, seed))) ++counts[sample.triangle];
   }
   for (const int count : counts) EXPECT_NEAR(count, 400, 80);
 }
