@@ -67,10 +67,10 @@ Cloth make_cloth(Index vertex_count) {
 double angle_at(double along, double across, double time) {
   const double free = along * (1.6 - 0.6 * along) * portable_exp(-0.10 / (along + 0.02));
   const double slant = 0.35 * (across - 0.5);
-  return free * (0.78 * portable_sin(2.0 * kPi * (1.15 * along - 1.30 * time + slant)) +
-                 0.46 * portable_sin(2.0 * kPi * (2.1 * along - 2.15 * time - 0.9 * slant + 0.3)) +
-                 0.30 * portable_sin(2.0 * kPi * (3.7 * along - 3.1 * time + 0.55 * across + 0.1)) +
-                 0.18 * portable_sin(2.0 * kPi * (6.1 * along - 4.3 * time - 0.85 * across)) +
+  return free * (1.05 * portable_sin(2.0 * kPi * (1.15 * along - 1.30 * time + slant)) +
+                 0.66 * portable_sin(2.0 * kPi * (2.1 * along - 2.15 * time - 0.9 * slant + 0.3)) +
+                 0.42 * portable_sin(2.0 * kPi * (3.7 * along - 3.1 * time + 0.55 * across + 0.1)) +
+                 0.24 * portable_sin(2.0 * kPi * (6.1 * along - 4.3 * time - 0.85 * across)) +
                  0.25 * portable_sin(2.0 * kPi * (0.37 * time)));
 }
 
