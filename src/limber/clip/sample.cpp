@@ -60,8 +60,9 @@ class SampleReader : public ClipReader {
 
 Error refuse(std::string_view specification, std::string what) {
   return {ErrorCode::kBadInput, std::string(specification),
-          std::move(what) + "; a sample is sample:collapse, sample:gallop, sample:morph or sample:flag, then perhaps "
-                            "?vertices=N&frames=N with 100 to 5000000 vertices and 1 to 100000 frames"};
+          std::move(what) +
+              "; a sample is sample:collapse, sample:gallop, sample:morph or sample:flag, then perhaps "
+              "?vertices=N&frames=N with 100 to 5000000 vertices and 1 to 100000 frames"};
 }
 
 }  // namespace
@@ -98,8 +99,7 @@ Result<std::unique_ptr<ClipReader>> open_sample(std::string_view specification) 
     if (end == std::string_view::npos) break;
     list = list.substr(end + 1);
   }
-  return std::unique_ptr<ClipReader>(
-      std::make_unique<SampleReader>(sample->make(options[0].value), options[1].value));
+  return std::unique_ptr<ClipReader>(std::make_unique<SampleReader>(sample->make(options[0].value), options[1].value));
 }
 
 }  // namespace limber

@@ -16,7 +16,8 @@ namespace {
 constexpr double kStretchCompliance = 2e-6, kBendCompliance = 4e-4;
 constexpr double kDrag = 0.9;       // per second
 constexpr double kFriction = 0.12;  // share of the motion along the floor lost in a step
-constexpr double kThickness = 0.72; // of the mean edge length at a vertex
+constexpr int kStepsPerContact = 3;
+constexpr double kThickness = 0.72;  // of the mean edge length at a vertex
 
 struct Spring {
   Index a, b;
@@ -50,14 +51,16 @@ class Cloth {
       x_[v] += velocity + options_.gravity * (dt * dt);
     }
     for (const Spring& spring : springs_) keep_length(spring, spring.compliance / (dt * dt));
-    keep_apart();
+    if (++step_count_ % kStepsPerContact == 0) keep_apart();
     for (std::size_t v = 0; v < x_.size(); ++v) keep_above_floor(v);
   }
 
   const std::vector<Vec3d>& positions() const { return x_; }
 
  private:
-  void add_spring(Index a, Index b, double compliance) { springs_.push_back({a, b, length(x_[b] - x_[a]), compliance}); }
+  void add_spring(Index a, Index b, double compliance) {
+    springs_.push_back({a, b, length(x_[b] - x_[a]), compliance});
+  }
 
   void keep_length(const Spring& spring, double softness) {
     const Vec3d way = x_[spring.b] - x_[spring.a];
@@ -79,14 +82,14 @@ class Cloth {
     std::vector<Entry> entries(x_.size());
     const auto cell_of = [&](const Vec3d& p, int axis_shift_x, int axis_shift_y, int axis_shift_z) {
       const auto part = [&](double c, int shift) {
-        return static_cast<std::uint64_t>(std::clamp(static_cast<int>(std::floor(c / cell_)) + shift + 50000, 0, 100000));
+        return static_cast<std::uint64_t>(
+            std::clamp(static_cast<int>(std::floor(c / cell_)) + shift + 50000, 0, 100000));
       };
       return (part(p.x, axis_shift_x) << 40) | (part(p.y, axis_shift_y) << 20) | part(p.z, axis_shift_z);
     };
     for (Index v = 0; v < x_.size(); ++v) entries[v] = {cell_of(x_[v], 0, 0, 0), v};
-    std::sort(entries.begin(), entries.end(), [](const Entry& p, const Entry& q) {
-      return p.cell != q.cell ? p.cell < q.cell : p.vertex < q.vertex;
-    });
+    std::sort(entries.begin(), entries.end(),
+              [](const Entry& p, const Entry& q) { return p.cell != q.cell ? p.cell < q.cell : p.vertex < q.vertex; });
     for (Index v = 0; v < x_.size(); ++v) {
       for (int dx = -1; dx <= 1; ++dx) {
         for (int dy = -1; dy <= 1; ++dy) {
@@ -133,6 +136,7 @@ class Cloth {
   std::vector<double> reach_;             // [vertex_count], half the thickness
   std::vector<Spring> springs_;
   double cell_ = 0.0;
+  int step_count_ = 0;
 };
 
 }  // namespace

@@ -9,11 +9,11 @@
 namespace limber {
 
 struct ClothOptions {
-  int key_count = 97;       // states kept, the first of them at rest
+  int key_count = 97;  // states kept, the first of them at rest
   int steps_per_key = 9;
-  double duration = 1.9;    // seconds
-  double floor = -0.025;    // height, as everything in metres
-  Vec3d gravity{1.1, -6.5, 0.5};
+  double duration = 1.9;  // seconds
+  double floor = -0.025;  // height, as everything in metres
+  Vec3d gravity{0.6, -6.5, 0.3};
 };
 
 // The sheet's states, evenly spaced in time: [key_count][vertex_count].

@@ -52,8 +52,9 @@ class Collapse : public SampleMotion {
     const Body body(creature.limbs());
     const QuadrupedRelief relief;
     const Surface smooth{body}, detailed{body, &relief};
-    coarse_ = remesh(smooth, extract_surface(smooth, kExtractSpacing), kCoarseCount);
-    fine_ = remesh(detailed, extract_surface(detailed, kExtractSpacing), vertex_count);
+    const SurfaceMesh start = extract_surface(detailed, kExtractSpacing);
+    coarse_ = remesh(smooth, start, kCoarseCount);
+    fine_ = remesh(detailed, start, vertex_count);
     keys_ = drop_cloth(coarse_, {});
     measure_surroundings();
     bind(body);
@@ -145,7 +146,7 @@ class Collapse : public SampleMotion {
     const std::size_t key = std::min(static_cast<std::size_t>(place), keys_.size() - 2);
     const double t = place - static_cast<double>(key);
     const std::vector<Vec3f>&a = keys_[key > 0 ? key - 1 : 0], &b = keys_[key], &c = keys_[key + 1],
-                       &d = keys_[std::min(key + 2, keys_.size() - 1)];
+          &d = keys_[std::min(key + 2, keys_.size() - 1)];
     const std::array<double, 4> w = {0.5 * t * (-1.0 + t * (2.0 - t)), 0.5 * (2.0 + t * t * (-5.0 + 3.0 * t)),
                                      0.5 * t * (1.0 + t * (4.0 - 3.0 * t)), 0.5 * t * t * (t - 1.0)};
     std::vector<Vec3d> positions(b.size());

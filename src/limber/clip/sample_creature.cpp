@@ -37,7 +37,7 @@ constexpr JointRow kMiddleJoints[] = {
 
 constexpr JointRow kSideJoints[] = {
     {kShoulder, kChest, {0.15, 1.10, 0.42}, {0.20, 1.49, -0.02}},
-    {kElbow, kShoulder, {0.18, 0.84, 0.34}, {0.37, 1.22, -0.04}},
+    {kElbow, kShoulder, {0.19, 0.78, 0.36}, {0.37, 1.22, -0.04}},
     {kKnee, kElbow, {0.175, 0.47, 0.41}, {0.51, 0.99, 0.05}},
     {kFrontFetlock, kKnee, {0.17, 0.16, 0.40}, {0.555, 0.915, 0.085}},
     {kFrontToe, kFrontFetlock, {0.17, 0.045, 0.47}, {0.57, 0.89, 0.095}},
@@ -86,7 +86,7 @@ constexpr FleshRow kMiddleFlesh[] = {
 constexpr FleshRow kSideFlesh[] = {
     {kBreast, kBreast, 0.120, 0.120, 0.090, 0.090, 0.09, 0.9},
     {kHaunch, kHaunch, 0.175, 0.175, 0.105, 0.105, 0.10, 0.9},
-    {kShoulder, kElbow, 0.165, 0.088, 0.088, 0.060, 0.07, 0.8},
+    {kShoulder, kElbow, 0.165, 0.085, 0.088, 0.060, 0.05, 0.8},
     {kElbow, kKnee, 0.085, 0.058, 0.066, 0.042, 0.04, 0.6},
     {kKnee, kFrontFetlock, 0.060, 0.045, 0.040, 0.044, 0.035, 0.5},
     {kFrontFetlock, kFrontToe, 0.047, 0.066, 0.046, 0.050, 0.025, 0.42},
@@ -152,8 +152,9 @@ Tables make_tables() {
   for (int which = 0; which < 2; ++which) {
     for (const JointRow& row : kSideJoints) {
       // A parent in the table of the sides is one of the same side, except for those of the trunk and the head.
-      const bool in_middle = row.joint == kShoulder || row.joint == kHip || row.joint == kEarBase || row.joint == kEye ||
-                             row.joint == kNostril || row.joint == kCheek || row.joint == kBreast || row.joint == kHaunch;
+      const bool in_middle = row.joint == kShoulder || row.joint == kHip || row.joint == kEarBase ||
+                             row.joint == kEye || row.joint == kNostril || row.joint == kCheek ||
+                             row.joint == kBreast || row.joint == kHaunch;
       tables.joints[static_cast<std::size_t>(side(which, row.joint))] = {
           side(which, row.joint), in_middle ? row.parent : side(which, row.parent),
           which == 0 ? row.quadruped : mirrored(row.quadruped), which == 0 ? row.biped : mirrored(row.biped)};

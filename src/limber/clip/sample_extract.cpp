@@ -51,9 +51,11 @@ class Extraction {
     };
     const Vec3d& within = corners[static_cast<std::size_t>(inside[0])].point;
     if (inside_count == 1) {
-      add_triangles({cut(inside[0], outside[0]), cut(inside[0], outside[1]), cut(inside[0], outside[2]), kNone}, within);
+      add_triangles({cut(inside[0], outside[0]), cut(inside[0], outside[1]), cut(inside[0], outside[2]), kNone},
+                    within);
     } else if (inside_count == 3) {
-      add_triangles({cut(inside[0], outside[0]), cut(inside[1], outside[0]), cut(inside[2], outside[0]), kNone}, within);
+      add_triangles({cut(inside[0], outside[0]), cut(inside[1], outside[0]), cut(inside[2], outside[0]), kNone},
+                    within);
     } else {
       add_triangles({cut(inside[0], outside[0]), cut(inside[0], outside[1]), cut(inside[1], outside[1]),
                      cut(inside[1], outside[0])},

@@ -68,8 +68,8 @@ class Morph : public SampleMotion {
     for (std::size_t v = 0; v < positions.size(); ++v) {
       const Vec3d& p = places[v];
       const Vec3d up = body.at(p).gradient;
-      const double height = static_cast<double>(quadruped_heights_[v]) * (1.0 - share) +
-                            static_cast<double>(biped_heights_[v]) * share;
+      const double height =
+          static_cast<double>(quadruped_heights_[v]) * (1.0 - share) + static_cast<double>(biped_heights_[v]) * share;
       positions[v] = static_cast<Vec3f>(p + up * (height / std::fmax(squared_length(up), 0.2)));
     }
   }
