@@ -13,10 +13,10 @@
 namespace limber {
 namespace {
 
-constexpr double kStretchCompliance = 2e-6, kBendCompliance = 4e-4;
+constexpr double kStretchCompliance = 6e-3, kBendCompliance = 8e-3;
 constexpr double kDrag = 0.9;       // per second
 constexpr double kFriction = 0.12;  // share of the motion along the floor lost in a step
-constexpr int kStepsPerContact = 3;
+constexpr int kStepsPerContact = 2;
 constexpr double kThickness = 0.72;  // of the mean edge length at a vertex
 
 struct Spring {

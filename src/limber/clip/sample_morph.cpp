@@ -12,7 +12,7 @@
 namespace limber {
 namespace {
 
-constexpr double kExtractSpacing = 0.0145;
+constexpr double kExtractSpacing = 0.0165;
 constexpr double kSoftness = 0.022;
 constexpr int kRelaxRounds = 10;
 
