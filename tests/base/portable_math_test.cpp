@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "limber/base/portable_math.h"
 
-#include <gtest/gtest.h>
-
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <gtest/gtest.h>
 #include <limits>
 
 namespace limber {
