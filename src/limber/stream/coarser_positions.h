@@ -61,7 +61,7 @@ void CoarserPositions::code(bool key, std::int16_t past, std::span<const Index> 
   for (Index place = 0; place < vertex_count; ++place)
     children_[parent[traversal.order[place]] - vertex_count].add(finest[place]);
 
-  std::uint64_t neighborhood = 0;  // four times a running mean of the magnitudes
+  std::uint32_t neighborhood = 0;  // four times a running mean of the magnitudes
   for (Index i = 0; i < now_.size(); ++i) {
     Node& node = nodes_[i];
     if (key) node = {};
@@ -75,22 +75,23 @@ void CoarserPositions::code(bool key, std::int16_t past, std::span<const Index> 
     if (children.count == 0) node.offset = mean = {now_[i][0], now_[i][1], now_[i][2]}, predicted = mean;
     Lattice target{};
     if constexpr (Coder::kEncodes) target = actual(vertex_count + i);
-    std::uint64_t magnitudes = 0;
+    // Twelfths: the running mean holds four nodes' sums of three axes.
+    const std::uint32_t expected =
+        key ? quadruple_mean(neighborhood, 12)
+            : quadruple_mean(std::uint64_t{neighborhood} + 4 * std::uint64_t{node.activity}, 24);
+    Lattice residuals{};
+    if constexpr (Coder::kEncodes)
+      for (std::size_t k = 0; k < 3; ++k)
+        residuals[k] =
+            static_cast<std::int32_t>(static_cast<std::uint32_t>(target[k]) - static_cast<std::uint32_t>(predicted[k]));
+    residuals = coder.code({expected, expected, expected}, residuals);
+    node.activity = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint64_t expected =
-          key ? quadruple_mean(neighborhood + 4 * magnitudes, 12 + 4 * k)
-              : quadruple_mean(neighborhood + 4 * node.activity + 4 * magnitudes, 24 + 4 * k);
-      const auto prediction = static_cast<std::uint32_t>(predicted[k]);
-      std::int32_t residual = 0;
-      if constexpr (Coder::kEncodes)
-        residual = static_cast<std::int32_t>(static_cast<std::uint32_t>(target[k]) - prediction);
-      residual = coder.code(k, expected, residual);
-      now_[i][k] = static_cast<std::int32_t>(prediction + static_cast<std::uint32_t>(residual));
-      const auto bits = static_cast<std::uint32_t>(residual);
-      magnitudes += (residual < 0 ? 0u - bits : bits) & 0x3fffffff;
+      now_[i][k] = static_cast<std::int32_t>(static_cast<std::uint32_t>(predicted[k]) +
+                                             static_cast<std::uint32_t>(residuals[k]));
+      node.activity += counted_magnitude(residuals[k]);
     }
-    neighborhood += magnitudes - neighborhood / 4;
-    node.activity = static_cast<std::uint32_t>(magnitudes);
+    neighborhood += node.activity - neighborhood / 4;
     node.offset_before =
         key ? Lattice64{now_[i][0] - mean[0], now_[i][1] - mean[1], now_[i][2] - mean[2]} : node.offset;
     node.offset = {now_[i][0] - mean[0], now_[i][1] - mean[1], now_[i][2] - mean[2]};

@@ -74,8 +74,7 @@ FinestPositions::FinestPositions(const Traversal& traversal)
     : traversal_(traversal),
       now_(traversal.order.size()),
       before_(traversal.order.size()),
-      activity_(traversal.order.size()),
-      motion_(traversal.order.size()),
+      traces_(traversal.order.size()),
       weights_(traversal.sources.data.size()) {}
 
 std::span<const std::int16_t> FinestPositions::motion_weights() {

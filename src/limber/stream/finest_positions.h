@@ -12,9 +12,9 @@
 // All in integers: the same on every machine.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstdlib>
 #include <span>
 #include <vector>
 
@@ -35,6 +35,9 @@ struct MotionFactors {
 
 inline constexpr int kFactorBits = 6;
 inline constexpr int kMostFactor = 512;
+
+// Larger motions count as this: sums stay within 64 bits.
+inline constexpr std::int64_t kMostMotion = 1 << 30;
 
 using Lattice64 = std::array<std::int64_t, 3>;
 
@@ -58,19 +61,20 @@ class FinestPositions {
   std::span<const std::int16_t> motion_weights();
 
  private:
-  // The magnitudes of a vertex's residual on each axis, and their sum.
-  struct Activity {
-    std::array<std::uint32_t, 3> axis{};
-    std::uint32_t sum = 0;
+  // What a vertex tells those predicted from it. Four numbers where three are meant: whole vector registers.
+  struct Trace {
+    std::array<std::int32_t, 4> motion{};     // here * d - before * v, kept within +-kMostMotion
+    std::array<std::uint32_t, 4> activity{};  // per axis: the residual's magnitude there and on all axes together;
+                                              // until the vertex is coded, of the frame before
   };
 
   template <class Coder, class Actual>
-  void code_vertex(Index place, const Lattice64& predicted, Coder& coder, Actual& actual);
+  void code_vertex(Index place, const Lattice64& predicted, const std::array<std::uint32_t, 4>& activity, Coder& coder,
+                   Actual& actual);
 
   const Traversal& traversal_;
   std::vector<Lattice> now_, before_;
-  std::vector<Activity> activity_;     // before a vertex is coded: of the frame before
-  std::vector<Lattice64> motion_;      // here * d - before * v
+  std::vector<Trace> traces_;
   std::vector<std::int16_t> weights_;  // [sources]
   bool weights_stale_ = true;
 };
@@ -81,13 +85,15 @@ void FinestPositions::code_key(Coder& coder, Actual&& actual) {
   const auto& begin = traversal_.sources.begin;
   for (Index i = 0; i < now_.size(); ++i) {
     Lattice64 predicted{};
+    std::array<std::uint32_t, 4> activity{};
     for (Index s = begin[i]; s < begin[i + 1]; ++s) {
-      const Lattice& source = now_[traversal_.sources.data[s]];
-      for (std::size_t k = 0; k < 3; ++k) predicted[k] += std::int64_t{source[k]} * traversal_.key_weights[s];
+      const Index source = traversal_.sources.data[s];
+      for (std::size_t k = 0; k < 3; ++k) predicted[k] += std::int64_t{now_[source][k]} * traversal_.key_weights[s];
+      for (std::size_t k = 0; k < 4; ++k) activity[k] += traces_[source].activity[k];
     }
     for (std::size_t k = 0; k < 3; ++k) predicted[k] = (predicted[k] + (1 << (kWeightBits - 1))) >> kWeightBits;
-    activity_[i] = {};
-    code_vertex(i, predicted, coder, actual);
+    traces_[i].activity = {};
+    code_vertex(i, predicted, activity, coder, actual);
   }
   before_ = now_;
 }
@@ -97,55 +103,52 @@ void FinestPositions::code_step(const MotionFactors& factors, Coder& coder, Actu
   const auto weights = motion_weights();
   const auto& begin = traversal_.sources.begin;
   constexpr int kBits = kFactorBits + kWeightBits;
+  const std::int64_t past = std::int64_t{factors.past} * (1 << kWeightBits);
   for (Index i = 0; i < now_.size(); ++i) {
     const Lattice last = now_[i];
-    Lattice64 velocity, predicted{};
-    for (std::size_t k = 0; k < 3; ++k) velocity[k] = std::int64_t{last[k]} - before_[i][k];
-    for (Index s = begin[i]; s < begin[i + 1]; ++s) {
-      const Lattice64& source = motion_[traversal_.sources.data[s]];
-      for (std::size_t k = 0; k < 3; ++k) predicted[k] += source[k] * weights[s];
-    }
+    Lattice64 velocity, predicted;
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::int64_t fine = predicted[k] + velocity[k] * factors.past * (1 << kWeightBits);
-      predicted[k] = last[k] + ((fine + (1 << (kBits - 1))) >> kBits);
+      velocity[k] = std::int64_t{last[k]} - before_[i][k];
+      predicted[k] = velocity[k] * past + (1 << (kBits - 1));
     }
-    code_vertex(i, predicted, coder, actual);
+    std::array<std::uint32_t, 4> activity = traces_[i].activity;
+    for (Index s = begin[i]; s < begin[i + 1]; ++s) {
+      const Trace& source = traces_[traversal_.sources.data[s]];
+      const std::int64_t weight = weights[s];
+      for (std::size_t k = 0; k < 3; ++k) predicted[k] += source.motion[k] * weight;
+      for (std::size_t k = 0; k < 4; ++k) activity[k] += source.activity[k];
+    }
+    for (std::size_t k = 0; k < 3; ++k) predicted[k] = last[k] + (predicted[k] >> kBits);
+    code_vertex(i, predicted, activity, coder, actual);
     before_[i] = last;
-    for (std::size_t k = 0; k < 3; ++k)
-      motion_[i][k] = (std::int64_t{now_[i][k]} - last[k]) * factors.here - velocity[k] * factors.before;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::int64_t motion = (std::int64_t{now_[i][k]} - last[k]) * factors.here - velocity[k] * factors.before;
+      traces_[i].motion[k] = static_cast<std::int32_t>(std::clamp(motion, -kMostMotion, kMostMotion));
+    }
   }
 }
 
-// How large a residual is to be expected: what was met at the sources, on the axes before, and here at t-1.
+// How large a residual is to be expected: the mean of what was met at the sources and, at t-1, here.
 template <class Coder, class Actual>
-void FinestPositions::code_vertex(Index place, const Lattice64& predicted, Coder& coder, Actual& actual) {
-  std::array<std::uint64_t, 3> sum{};
-  const Index first = traversal_.sources.begin[place], last = traversal_.sources.begin[place + 1];
-  for (Index s = first; s < last; ++s) {
-    const Activity& source = activity_[traversal_.sources.data[s]];
-    for (std::size_t k = 0; k < 3; ++k) sum[k] += std::uint64_t{source.sum} + source.axis[k];
+void FinestPositions::code_vertex(Index place, const Lattice64& predicted, const std::array<std::uint32_t, 4>& activity,
+                                  Coder& coder, Actual& actual) {
+  const std::size_t weight = 4 * (traversal_.sources.begin[place + 1] - traversal_.sources.begin[place] + 1);
+  Lattice residuals{};
+  if constexpr (Coder::kEncodes) {
+    const Lattice target = actual(place);
+    for (std::size_t k = 0; k < 3; ++k)
+      residuals[k] =
+          static_cast<std::int32_t>(static_cast<std::uint32_t>(target[k]) - static_cast<std::uint32_t>(predicted[k]));
   }
-  const Activity own = activity_[place];
-  const std::size_t weight = 4 * (last - first) + 4;
-  std::uint64_t earlier_axes = 0;
-  Activity activity;
-  Lattice target{};
-  if constexpr (Coder::kEncodes) target = actual(place);
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::uint64_t expected = quadruple_mean(sum[k] + own.sum + own.axis[k] + 2 * earlier_axes, weight + 2 * k);
-    const auto prediction = static_cast<std::uint32_t>(predicted[k]);
-    std::int32_t residual = 0;
-    if constexpr (Coder::kEncodes)
-      residual = static_cast<std::int32_t>(static_cast<std::uint32_t>(target[k]) - prediction);
-    residual = coder.code(k, expected, residual);
-    now_[place][k] = static_cast<std::int32_t>(prediction + static_cast<std::uint32_t>(residual));
-    const auto bits = static_cast<std::uint32_t>(residual);
-    const std::uint32_t magnitude = (residual < 0 ? 0u - bits : bits) & 0x3fffffff;
-    activity.axis[k] = magnitude;
-    earlier_axes += magnitude;
-  }
-  activity.sum = activity.axis[0] + activity.axis[1] + activity.axis[2];
-  activity_[place] = activity;
+  residuals = coder.code(
+      {quadruple_mean(activity[0], weight), quadruple_mean(activity[1], weight), quadruple_mean(activity[2], weight)},
+      residuals);
+  for (std::size_t k = 0; k < 3; ++k)
+    now_[place][k] =
+        static_cast<std::int32_t>(static_cast<std::uint32_t>(predicted[k]) + static_cast<std::uint32_t>(residuals[k]));
+  const std::uint32_t x = counted_magnitude(residuals[0]), y = counted_magnitude(residuals[1]),
+                      z = counted_magnitude(residuals[2]);
+  traces_[place].activity = {2 * x + y + z, x + 2 * y + z, x + y + 2 * z, 0};
 }
 
 }  // namespace limber

@@ -75,25 +75,28 @@ ResidualReader::ResidualReader(std::span<const std::byte> bytes, ResidualStatist
   const std::size_t word_count = load_little_endian<std::uint32_t>(&bytes[12]);
   if (word_count > (bytes.size() - kStatesSize) / 2) return;
   words_ = bytes.data() + kStatesSize;
-  words_end_ = words_ + 2 * word_count;
+  word_count_ = word_count;
   bits_ = BitReader(bytes.subspan(kStatesSize + 2 * word_count));
 }
 
-std::int32_t ResidualWriter::code(std::size_t axis, std::uint64_t activity, std::int32_t residual) {
-  const auto [table, shift] = residual_context(activity);
-  const auto bits = static_cast<std::uint32_t>(residual);
-  const std::uint32_t magnitude = residual < 0 ? 0u - bits : bits;
-  const int c = class_of(magnitude >> shift);
-  statistics_.count(table, c);
-  symbols_.push_back({static_cast<std::uint8_t>(axis), static_cast<std::uint8_t>(table), static_cast<std::uint8_t>(c)});
-  if (c == kEscapeClass) {
-    write_bits(magnitude, 32);
-  } else {
-    const MagnitudeClass& magnitude_class = kClasses[static_cast<std::size_t>(c)];
-    write_bits(magnitude - (std::uint32_t{magnitude_class.first} << shift), magnitude_class.bits + shift);
+Lattice ResidualWriter::code(const Activity& activity, const Lattice& residuals) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto [table, shift] = residual_context(activity[axis]);
+    const auto bits = static_cast<std::uint32_t>(residuals[axis]);
+    const std::uint32_t magnitude = residuals[axis] < 0 ? 0u - bits : bits;
+    const int c = class_of(magnitude >> shift);
+    statistics_.count(table, c);
+    symbols_.push_back(
+        {static_cast<std::uint8_t>(axis), static_cast<std::uint8_t>(table), static_cast<std::uint8_t>(c)});
+    if (c == kEscapeClass) {
+      write_bits(magnitude, 32);
+    } else {
+      const MagnitudeClass& magnitude_class = kClasses[static_cast<std::size_t>(c)];
+      write_bits(magnitude - (std::uint32_t{magnitude_class.first} << shift), magnitude_class.bits + shift);
+    }
+    if (magnitude != 0) write_bits(residuals[axis] < 0, 1);
   }
-  if (magnitude != 0) write_bits(residual < 0, 1);
-  return residual;
+  return residuals;
 }
 
 std::vector<std::byte> ResidualWriter::finish() const {

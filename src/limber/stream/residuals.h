@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "limber/stream/bytes.h"
+#include "limber/stream/quantizer.h"
 
 namespace limber {
 
@@ -45,30 +46,41 @@ constexpr int class_of(std::uint32_t magnitude) {
   return 14 + octave;
 }
 
+// For each axis four times the magnitude to expect.
+using Activity = std::array<std::uint32_t, 3>;
+
 // What the surroundings of a residual suggest: a table, and how many low bits of the magnitude are plain.
 struct ResidualContext {
   int table;
   unsigned shift;
 };
 
-// `activity`: four times the expected magnitude.
-inline ResidualContext residual_context(std::uint64_t activity) {
-  const std::uint64_t u = activity + 1;
+// Precondition: activity < 2^31.
+inline ResidualContext residual_context(std::uint32_t activity) {
+  const std::uint32_t u = activity + 1;
   const int octave = static_cast<int>(std::bit_width(u)) - 1;
   const int level = octave == 0 ? 0 : 2 * octave + static_cast<int>((u >> (octave - 1)) & 1);
   return {level < kContextCount ? level : kContextCount - 2 + (level & 1),
           level < 12 ? 0u : static_cast<unsigned>(level - 10) / 2};
 }
 
-// Four times sum / weight, rounded down or one less. Precondition: sum < 2^44, 1 <= weight <= kMostActivityWeight.
+// Larger residuals count as this where the next are expected: sums stay within 32 bits.
+inline constexpr std::uint32_t kMostMagnitude = 1 << 24;
+
+inline std::uint32_t counted_magnitude(std::int32_t residual) {
+  const auto bits = static_cast<std::uint32_t>(residual);
+  return std::min(residual < 0 ? 0u - bits : bits, kMostMagnitude);
+}
+
+// Four times sum / weight, rounded down or one less. Precondition: sum < 2^32, 1 <= weight <= kMostActivityWeight.
 inline constexpr std::size_t kMostActivityWeight = 40;
 inline constexpr auto kReciprocals = [] {
   std::array<std::uint32_t, kMostActivityWeight + 1> reciprocals{};
   for (std::uint32_t i = 1; i < reciprocals.size(); ++i) reciprocals[i] = (1u << 18) / i;
   return reciprocals;
 }();
-inline std::uint64_t quadruple_mean(std::uint64_t sum, std::size_t weight) {
-  return (sum * kReciprocals[weight]) >> 16;
+inline std::uint32_t quadruple_mean(std::uint64_t sum, std::size_t weight) {
+  return static_cast<std::uint32_t>((sum * kReciprocals[weight]) >> 16);
 }
 
 // The frequencies of the classes in each context, and how often each was met lately.
@@ -103,29 +115,33 @@ class BitReader {
  public:
   explicit BitReader(std::span<const std::byte> bytes) : at_(bytes.data()), end_(at_ + bytes.size()) {}
 
-  // `count` <= 32.
-  std::uint32_t read(unsigned count) {
-    if (filled_ < count) refill();
-    const auto value = static_cast<std::uint32_t>(bits_ & ((std::uint64_t{1} << count) - 1));
+  // Makes at least 56 bits ready.
+  void fill() {
+    if (end_ - at_ >= 8) {
+      bits_ |= load_little_endian<std::uint64_t>(at_) << filled_;
+      at_ += (63 - filled_) >> 3;
+      filled_ |= 56;
+      return;
+    }
+    for (; filled_ < 56; filled_ += 8)
+      if (at_ != end_) bits_ |= std::uint64_t{std::to_integer<std::uint8_t>(*at_++)} << filled_;
+  }
+
+  // Precondition: the bits are ready.
+  std::uint32_t peek() const { return static_cast<std::uint32_t>(bits_); }
+  void skip(unsigned count) {
     bits_ >>= count;
     filled_ -= count;
+  }
+
+  // `count` <= 32. Precondition: the bits are ready.
+  std::uint32_t read(unsigned count) {
+    const auto value = static_cast<std::uint32_t>(bits_ & ((std::uint64_t{1} << count) - 1));
+    skip(count);
     return value;
   }
 
  private:
-  void refill() {
-    if (end_ - at_ >= 4) {
-      bits_ |= std::uint64_t{load_little_endian<std::uint32_t>(at_)} << filled_;
-      at_ += 4;
-      filled_ += 32;
-      return;
-    }
-    while (filled_ < 32) {
-      if (at_ != end_) bits_ |= std::uint64_t{std::to_integer<std::uint8_t>(*at_++)} << filled_;
-      filled_ += 8;
-    }
-  }
-
   const std::byte* at_;
   const std::byte* end_;
   std::uint64_t bits_ = 0;
@@ -138,47 +154,57 @@ class ResidualReader {
 
   ResidualReader(std::span<const std::byte> bytes, ResidualStatistics& statistics);
 
-  // Gives the residual on the axis; `residual` is ignored.
-  std::int32_t code(std::size_t axis, std::uint64_t activity, std::int32_t = 0) {
-    const auto [table_index, shift] = residual_context(activity);
-    const ResidualStatistics::Table& table = statistics_.table(table_index);
-    std::uint32_t& state = states_[axis];
-    const std::uint32_t slot = state & ((1u << kFrequencyBits) - 1);
-    const std::uint8_t c = table.class_at[slot];
-    state = table.frequency[c] * (state >> kFrequencyBits) + slot - table.start[c];
-    if (state < (1u << 16)) state = state << 16 | next_word();
-    statistics_.count(table_index, c);
-    std::uint32_t magnitude;
-    if (c == kEscapeClass) [[unlikely]] {
-      magnitude = bits_.read(32);
-    } else {
-      magnitude = kClasses[c].first;
-      const unsigned plain = std::min(kClasses[c].bits + shift, 32u);  // more only in bytes that no encoder writes
-      magnitude <<= shift;
-      if (plain > 0) magnitude += bits_.read(plain);
+  // Gives the residuals on the three axes; `activity`: what to expect on each (residual_context()).
+  Lattice code(const Activity& activity, const Lattice& = {}) {
+    // The state is kept in local variables: the counts that are written may not be taken for it.
+    BitReader bits = bits_;
+    std::size_t word_at = word_at_;
+    Lattice residuals;
+    std::array<std::uint8_t, 3> classes;
+    std::array<ResidualContext, 3> contexts;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      contexts[axis] = residual_context(activity[axis]);
+      const auto [table_index, shift] = contexts[axis];
+      const ResidualStatistics::Table& table = statistics_.table(table_index);
+      // No branch but the one for the escape depends on the residual: it could not be foretold.
+      std::uint32_t state = states_[axis];
+      const std::uint32_t slot = state & ((1u << kFrequencyBits) - 1);
+      const std::uint8_t c = classes[axis] = table.class_at[slot];
+      state = table.frequency[c] * (state >> kFrequencyBits) + slot - table.start[c];
+      const bool needs_word = state < (1u << 16);
+      const std::uint32_t word = word_at < word_count_ ? load_little_endian<std::uint16_t>(words_ + 2 * word_at) : 0u;
+      states_[axis] = needs_word ? state << 16 | word : state;
+      word_at += needs_word;
+      bits.fill();
+      std::uint32_t magnitude;
+      if (c == kEscapeClass) [[unlikely]] {
+        magnitude = bits.read(32);
+      } else {
+        const MagnitudeClass magnitude_class = kClasses[c];
+        const unsigned plain = std::min(magnitude_class.bits + shift, 32u);  // more only in bytes of no encoder
+        magnitude = (std::uint32_t{magnitude_class.first} << shift) + bits.read(plain);
+      }
+      const std::uint32_t has_sign = magnitude != 0;
+      const std::uint32_t negative = 0u - (bits.peek() & has_sign);
+      bits.skip(has_sign);
+      residuals[axis] = static_cast<std::int32_t>((magnitude ^ negative) - negative);
     }
-    if (magnitude == 0) return 0;
-    const std::uint32_t negative = 0u - bits_.read(1);
-    return static_cast<std::int32_t>((magnitude ^ negative) - negative);
+    for (std::size_t axis = 0; axis < 3; ++axis) statistics_.count(contexts[axis].table, classes[axis]);
+    bits_ = bits;
+    word_at_ = word_at;
+    return residuals;
   }
 
   // Whether all was as an encoder writes it. Call after the last residual.
   bool consistent() const {
-    return words_ == words_end_ && states_ == std::array<std::uint32_t, 3>{1u << 16, 1u << 16, 1u << 16};
+    return word_at_ == word_count_ && states_ == std::array<std::uint32_t, 3>{1u << 16, 1u << 16, 1u << 16};
   }
 
  private:
-  std::uint32_t next_word() {
-    if (words_ == words_end_) return 0;
-    const std::uint32_t word = load_little_endian<std::uint16_t>(words_);
-    words_ += 2;
-    return word;
-  }
-
   ResidualStatistics& statistics_;
   std::array<std::uint32_t, 3> states_{};
   const std::byte* words_ = nullptr;
-  const std::byte* words_end_ = nullptr;
+  std::size_t word_at_ = 0, word_count_ = 0;
   BitReader bits_;
 };
 
@@ -189,7 +215,7 @@ class ResidualWriter {
 
   explicit ResidualWriter(ResidualStatistics& statistics) : statistics_(statistics) {}
 
-  std::int32_t code(std::size_t axis, std::uint64_t activity, std::int32_t residual);
+  Lattice code(const Activity& activity, const Lattice& residuals);
 
   // The bytes written.
   std::vector<std::byte> finish() const;

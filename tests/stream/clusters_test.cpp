@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "limber/stream/clusters.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/stream/sample_clip.h"
+
+namespace limber {
+namespace {
+
+// 0 1 | 2 3 | 4 5, a strip of vertices above and below each other; clusters 6, 7, 8; all of them in 9.
+class ClustersOfAStrip : public ::testing::Test {
+ protected:
+  ClustersOfAStrip() {
+    for (Index node = 0; node < 6; ++node) clusters_.place({node, 6 + node / 2});
+    for (Index node = 6; node < 9; ++node) clusters_.place({node, 9});
+  }
+
+  std::vector<Index> candidates(Index level, Index node) {
+    std::vector<Index> parents;
+    for (const Candidate& candidate : clusters_.candidates(level, node, own_)) parents.push_back(candidate.parent);
+    return parents;
+  }
+
+  const Mesh mesh_{6, {{0, 1, 2}, {1, 3, 2}, {2, 3, 4}, {3, 5, 4}}};
+  const std::vector<Index> level_begin_{0, 6, 9, 11};
+  const IndexLists neighbors_ = neighbors(mesh_, incident_triangles(mesh_));
+  Clusters clusters_{level_begin_, neighbors_};
+  std::uint32_t own_ = 0;
+};
+
+TEST_F(ClustersOfAStrip, CandidatesAreTheClustersBesideAVertex) {
+  EXPECT_EQ(candidates(0, 0), (std::vector<Index>{7}));
+  EXPECT_EQ(own_, 1u);
+  EXPECT_EQ(candidates(0, 3), (std::vector<Index>{8, 6}));  // two edges to 8, one to 6
+}
+
+TEST_F(ClustersOfAStrip, CandidatesFollowASwap) {
+  clusters_.apply({2, 6});
+  EXPECT_EQ(candidates(0, 2), (std::vector<Index>{7, 8}));
+  EXPECT_EQ(own_, 2u);
+  EXPECT_EQ(clusters_.changed()[0], 1);
+  EXPECT_EQ(clusters_.changed()[1], 1);
+  EXPECT_EQ(clusters_.changed()[2], 0);
+  clusters_.forget_changes();
+  EXPECT_EQ(clusters_.changed()[0], 0);
+}
+
+TEST_F(ClustersOfAStrip, CandidatesOfACoarserNodeComeFromAllItsVertices) {
+  clusters_.apply({8, 10});
+  EXPECT_EQ(candidates(1, 7), (std::vector<Index>{10}));
+  EXPECT_EQ(own_, 3u);
+  EXPECT_EQ(candidates(1, 6), (std::vector<Index>{}));
+}
+
+TEST_F(ClustersOfAStrip, AClusterThatAllHaveLeftHasNoChildren) {
+  clusters_.apply({0, 7});
+  EXPECT_TRUE(clusters_.has_children(6));
+  clusters_.apply({1, 7});
+  EXPECT_FALSE(clusters_.has_children(6));
+  EXPECT_EQ(candidates(1, 6), (std::vector<Index>{}));
+}
+
+}  // namespace
+}  // namespace limber
