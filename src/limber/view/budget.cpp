@@ -141,6 +141,17 @@ std::uint64_t Budget::take_whole_buckets(const Costs& costs, std::span<std::uint
   return left;
 }
 
+template <class Condition>
+void Budget::gather(Condition condition) {
+  candidates_.resize(rank_.size());
+  std::size_t count = 0;
+  for (Index n = 0; n < rank_.size(); ++n) {
+    candidates_[count] = heap_key(rank_[n], n);
+    count += condition(n);
+  }
+  candidates_.resize(count);
+}
+
 // Takes those candidates that fit, in order, and gives what is left. When nothing is, only nodes without a price can
 // follow, and those have the rank of the parent that they follow.
 std::uint64_t Budget::take_candidates(const Hierarchy& hierarchy, const Costs& costs, std::uint64_t left,
@@ -173,15 +184,9 @@ void Budget::choose(const Hierarchy& hierarchy, const Costs& costs, float hyster
   rank_below_parents(hierarchy, hysteresis, expanded);
 
   std::uint64_t left = take_whole_buckets(costs, expanded);
-  candidates_.clear();
-  for (Index n = 0; n < rank_.size(); ++n) {
-    if (bucket_of(rank_[n]) == last_bucket_) candidates_.push_back(heap_key(rank_[n], n));
-  }
+  gather([&](Index n) { return bucket_of(rank_[n]) == last_bucket_; });
   left = take_candidates(hierarchy, costs, left, expanded);
-  candidates_.clear();
-  for (Index n = 0; n < rank_.size(); ++n) {
-    if (bucket_of(rank_[n]) < last_bucket_ && costs.price[n] <= left) candidates_.push_back(heap_key(rank_[n], n));
-  }
+  gather([&](Index n) { return (bucket_of(rank_[n]) < last_bucket_) & (costs.price[n] <= left); });
   take_candidates(hierarchy, costs, left, expanded);
 }
 
