@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "limber/view/cut.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
+#include <gtest/gtest.h>
 
 #include "limber/view/triangle_list.h"
 #include "tests/view/allocations.h"
@@ -141,17 +140,18 @@ TEST_P(CutUnderSwaps, HasOneActiveNodeOnEveryPathAndKeepsItsPromise) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Criteria, CutUnderSwaps,
-    testing::Values(CutOptions{.by = CutBy::kLevel, .level = 0}, CutOptions{.by = CutBy::kLevel, .level = 2},
-                    CutOptions{.by = CutBy::kLevel, .level = 9}, CutOptions{.by = CutBy::kVertices, .budget = 0},
-                    CutOptions{.by = CutBy::kVertices, .budget = 77},
-                    CutOptions{.by = CutBy::kVertices, .budget = 400, .hysteresis = 3},
-                    CutOptions{.by = CutBy::kVertices, .budget = 5000},
-                    CutOptions{.by = CutBy::kTriangles, .budget = 150},
-                    CutOptions{.by = CutBy::kTriangles, .budget = 800, .hysteresis = 3},
-                    CutOptions{.by = CutBy::kError, .error_bound = 0.5f},
-                    CutOptions{.by = CutBy::kError, .error_bound = 0}));
+INSTANTIATE_TEST_SUITE_P(Criteria, CutUnderSwaps,
+                         testing::Values(CutOptions{.by = CutBy::kLevel, .level = 0},
+                                         CutOptions{.by = CutBy::kLevel, .level = 2},
+                                         CutOptions{.by = CutBy::kLevel, .level = 9},
+                                         CutOptions{.by = CutBy::kVertices, .budget = 0},
+                                         CutOptions{.by = CutBy::kVertices, .budget = 77},
+                                         CutOptions{.by = CutBy::kVertices, .budget = 400, .hysteresis = 3},
+                                         CutOptions{.by = CutBy::kVertices, .budget = 5000},
+                                         CutOptions{.by = CutBy::kTriangles, .budget = 150},
+                                         CutOptions{.by = CutBy::kTriangles, .budget = 800, .hysteresis = 3},
+                                         CutOptions{.by = CutBy::kError, .error_bound = 0.5f},
+                                         CutOptions{.by = CutBy::kError, .error_bound = 0}));
 
 TEST(Cut, FillsAVertexBudgetUpToWhatTheNextExpansionCosts) {
   const Surface s = test::torus(40, 50);
@@ -173,8 +173,8 @@ TEST(Cut, FillsAVertexBudgetUpToWhatTheNextExpansionCosts) {
 TEST(Cut, WithABudgetForEverythingIsTheFinestLevel) {
   const Surface s = test::torus(20, 30);
   const FrameState state = test::patch_state(s, {600, 80, 10});
-  for (const CutOptions& options : {CutOptions{.by = CutBy::kVertices, .budget = 600},
-                                    CutOptions{.by = CutBy::kTriangles, .budget = 1200}}) {
+  for (const CutOptions& options :
+       {CutOptions{.by = CutBy::kVertices, .budget = 600}, CutOptions{.by = CutBy::kTriangles, .budget = 1200}}) {
     Cut cut(s.mesh, state.hierarchy, options);
     cut.update(s.mesh, state);
     for (Index v = 0; v < 600; ++v) EXPECT_TRUE(cut.is_active(v));

@@ -125,7 +125,7 @@ std::uint64_t Budget::take_whole_buckets(const Costs& costs, std::span<std::uint
   const std::size_t size = rank_.size();
   std::uint64_t left = costs.budget;
   std::uint32_t prefix = 0;
-  for (unsigned shift = kDigitBits; ; shift = 0) {
+  for (unsigned shift = kDigitBits;; shift = 0) {
     std::array<std::uint64_t, kDigitCount> price{};
     for (std::size_t n = 0; n < size; ++n) {
       const std::uint32_t digits = bucket_of(rank[n]) >> shift;

@@ -39,14 +39,17 @@ double diagonal(std::span<const Vec3f> positions) {
   return box.diagonal();
 }
 
-// The label of a node whose parent has the label `above`; `own` is that of a node whose parent is expanded. Written
-// without a choice because compilers make a branch of it that nothing can foresee; kNone has all bits set.
-Index label_below(Index above, Index own) { return above & (own | (Index{above == kNone} - 1)); }
+// The label of a node whose parent has the label `above`; `own` is that of a node whose parent is expanded. Nodes have
+// lower numbers than their ancestors, and kNone, as a signed number, is lower than any: so it is the larger of the two.
+// Compilers make a branch of a choice here, and nothing can foresee that branch.
+Index label_below(Index above, Index own) {
+  return static_cast<Index>(std::max(static_cast<std::int32_t>(above), static_cast<std::int32_t>(own)));
+}
 
 }  // namespace
 
 Cut::Cut(const Mesh& mesh, const Hierarchy& hierarchy, const CutOptions& options) {
-  assert(mesh.vertex_count == hierarchy.vertex_count());
+  assert(mesh.vertex_count == hierarchy.vertex_count() && hierarchy.node_count() <= kNone / 2);
   triangle_count_ = mesh.triangles.size();
   labels_.assign(hierarchy.node_count(), kNone);
   set_options(options);
@@ -234,10 +237,18 @@ void Cut::update(const Mesh& mesh, const FrameState& state) {
   assert(mesh.vertex_count == has_surface_.size());
   count_children(state.hierarchy);
   switch (options_.by) {
-    case CutBy::kLevel: expand_down_to_level(state.hierarchy); break;
-    case CutBy::kVertices: expand_by_vertices(state); break;
-    case CutBy::kTriangles: expand_by_triangles(mesh, state); break;
-    case CutBy::kError: expand_by_error(mesh, state); break;
+    case CutBy::kLevel:
+      expand_down_to_level(state.hierarchy);
+      break;
+    case CutBy::kVertices:
+      expand_by_vertices(state);
+      break;
+    case CutBy::kTriangles:
+      expand_by_triangles(mesh, state);
+      break;
+    case CutBy::kError:
+      expand_by_error(mesh, state);
+      break;
   }
   label_nodes(state.hierarchy);
   count_vertices(state.hierarchy);

@@ -29,15 +29,15 @@ enum class CutBy {
 
 struct CutOptions {
   CutBy by = CutBy::kLevel;
-  Index level = 0;         // kLevel: 0 is the finest; clamped to the top
-  Index budget = 0;        // kVertices, kTriangles
-  float error_bound = 1;   // kError: percent of the bounding box diagonal of the frame, >= 0
+  Index level = 0;           // kLevel: 0 is the finest; clamped to the top
+  Index budget = 0;          // kVertices, kTriangles
+  float error_bound = 1;     // kError: percent of the bounding box diagonal of the frame, >= 0
   float hysteresis = 1.25f;  // >= 1: how many times better a change must be than what the frame before had
 };
 
 // Budgets. The total squared error of the active nodes is made as small as the budget allows (see budget.h). Nothing is
-// coarser than the top level: a budget below that gives the top level. A vertex budget counts active nodes that can have
-// a triangle: not those that stand for isolated vertices alone (corners of no triangle that has three different
+// coarser than the top level: a budget below that gives the top level. A vertex budget counts active nodes that can
+// have a triangle: not those that stand for isolated vertices alone (corners of no triangle that has three different
 // ones), nor those that stand for a whole connected part of the mesh. A triangle budget counts triangles
 // as list_triangles() finds them, before it makes equal ones one.
 //
@@ -50,6 +50,7 @@ struct CutOptions {
 class Cut {
  public:
   // Allocates all that updates need. `hierarchy` is any frame's of the clip: level sizes do not change.
+  // Precondition: fewer than 2^31 nodes.
   Cut(const Mesh& mesh, const Hierarchy& hierarchy, const CutOptions& options);
 
   // Takes effect at the next update, and may allocate. That update still has the hysteresis of the cut so far.
