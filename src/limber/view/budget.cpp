@@ -184,9 +184,12 @@ void Budget::choose(const Hierarchy& hierarchy, const Costs& costs, float hyster
   rank_below_parents(hierarchy, hysteresis, expanded);
 
   std::uint64_t left = take_whole_buckets(costs, expanded);
-  gather([&](Index n) { return bucket_of(rank_[n]) == last_bucket_; });
+  gather([&](Index n) -> bool { return bucket_of(rank_[n]) == last_bucket_; });
   left = take_candidates(hierarchy, costs, left, expanded);
-  gather([&](Index n) { return (bucket_of(rank_[n]) < last_bucket_) & (costs.price[n] <= left); });
+  gather([&](Index n) -> bool {
+    const bool later = bucket_of(rank_[n]) < last_bucket_, fits = costs.price[n] <= left;
+    return later & fits;
+  });
   take_candidates(hierarchy, costs, left, expanded);
 }
 

@@ -223,7 +223,7 @@ void Cut::count_vertices(const Hierarchy& hierarchy) {
   const Index base = hierarchy.vertex_count();
   const Index* labels = labels_.data();
   Index count = 0;
-  for (Index n = base; n < hierarchy.node_count(); ++n) count += (labels[n] == n) & is_drawn(n - base);
+  for (Index n = base; n < hierarchy.node_count(); ++n) count += labels[n] == n && is_drawn(n - base);
   if (hierarchy.level_count() == 1) {
     for (const std::uint8_t has : has_surface_) count += has;
   } else {

@@ -84,7 +84,7 @@ class Cut {
   void expand_by_error(const Mesh& mesh, const FrameState& state);
   void label_nodes(const Hierarchy& hierarchy);
   void count_vertices(const Hierarchy& hierarchy);
-  bool is_drawn(std::size_t coarse) const { return (surface_children_[coarse] != 0) & (is_whole_[coarse] == 0); }
+  bool is_drawn(std::size_t coarse) const { return surface_children_[coarse] != 0 && is_whole_[coarse] == 0; }
 
   CutOptions options_;
   Budget budget_;
