@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "limber/view/budget.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <gtest/gtest.h>
 #include <limits>
 
 #include "tests/view/patches.h"

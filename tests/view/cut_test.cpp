@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "limber/view/cut.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
+#include <gtest/gtest.h>
 
 #include "limber/view/triangle_list.h"
 #include "tests/view/allocations.h"
@@ -75,11 +74,11 @@ TEST(Cut, OfSixVerticesByLevel) {
   Cut cut(s.mesh, state.hierarchy, {.by = CutBy::kLevel, .level = 0});
   cut.update(s.mesh, state);
   EXPECT_EQ(active_nodes(cut), std::vector<Index>({0, 1, 2, 3, 4, 5}));
-  EXPECT_EQ(cut.active_count(), 6u);
+  EXPECT_EQ(cut.vertex_count(), 6u);
   cut.set_options({.by = CutBy::kLevel, .level = 1});
   cut.update(s.mesh, state);
   EXPECT_EQ(active_nodes(cut), std::vector<Index>({6, 7, 8}));
-  EXPECT_EQ(cut.active_count(), 3u);
+  EXPECT_EQ(cut.vertex_count(), 3u);
   cut.set_options({.by = CutBy::kLevel, .level = 7});
   cut.update(s.mesh, state);
   EXPECT_EQ(active_nodes(cut), std::vector<Index>({9, 10})) << "clamped to the top";
@@ -98,7 +97,7 @@ TEST(Cut, OfSixVerticesByBudgetExpandsTheDearestFirst) {
     cut.set_options({.by = CutBy::kVertices, .budget = budget});
     cut.update(s.mesh, state);
     EXPECT_EQ(active_nodes(cut), expected[budget - 2]) << budget;
-    EXPECT_EQ(cut.active_count(), budget);
+    EXPECT_EQ(cut.vertex_count(), budget);
   }
 }
 
@@ -127,13 +126,13 @@ TEST_P(CutUnderSwaps, HasOneActiveNodeOnEveryPathAndKeepsItsPromise) {
   for (int frame = 0; frame < 60; ++frame) {
     cut.update(s.mesh, state);
     expect_one_active_node_on_every_path(cut, state.hierarchy);
-    ASSERT_EQ(cut.active_count(), active_nodes(cut).size()) << "no isolated vertices here";
+    ASSERT_EQ(cut.vertex_count(), active_nodes(cut).size()) << "no isolated vertices here";
     if (options.by == CutBy::kLevel) {
       for (Index n = 0; n < state.hierarchy.node_count(); ++n) {
         ASSERT_EQ(cut.is_active(n), state.hierarchy.level_of(n) == std::min(options.level, 3u));
       }
     } else if (options.by == CutBy::kVertices) {
-      ASSERT_LE(cut.active_count(), std::max(options.budget, 5u));
+      ASSERT_LE(cut.vertex_count(), std::max(options.budget, 5u));
     } else if (options.by == CutBy::kTriangles) {
       ASSERT_LE(living_count(s.mesh, cut), options.budget);
     }
@@ -141,17 +140,18 @@ TEST_P(CutUnderSwaps, HasOneActiveNodeOnEveryPathAndKeepsItsPromise) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Criteria, CutUnderSwaps,
-    testing::Values(CutOptions{.by = CutBy::kLevel, .level = 0}, CutOptions{.by = CutBy::kLevel, .level = 2},
-                    CutOptions{.by = CutBy::kLevel, .level = 9}, CutOptions{.by = CutBy::kVertices, .budget = 0},
-                    CutOptions{.by = CutBy::kVertices, .budget = 77},
-                    CutOptions{.by = CutBy::kVertices, .budget = 400, .hysteresis = 3},
-                    CutOptions{.by = CutBy::kVertices, .budget = 5000},
-                    CutOptions{.by = CutBy::kTriangles, .budget = 150},
-                    CutOptions{.by = CutBy::kTriangles, .budget = 800, .hysteresis = 3},
-                    CutOptions{.by = CutBy::kError, .error_bound = 0.5f},
-                    CutOptions{.by = CutBy::kError, .error_bound = 0}));
+INSTANTIATE_TEST_SUITE_P(Criteria, CutUnderSwaps,
+                         testing::Values(CutOptions{.by = CutBy::kLevel, .level = 0},
+                                         CutOptions{.by = CutBy::kLevel, .level = 2},
+                                         CutOptions{.by = CutBy::kLevel, .level = 9},
+                                         CutOptions{.by = CutBy::kVertices, .budget = 0},
+                                         CutOptions{.by = CutBy::kVertices, .budget = 77},
+                                         CutOptions{.by = CutBy::kVertices, .budget = 400, .hysteresis = 3},
+                                         CutOptions{.by = CutBy::kVertices, .budget = 5000},
+                                         CutOptions{.by = CutBy::kTriangles, .budget = 150},
+                                         CutOptions{.by = CutBy::kTriangles, .budget = 800, .hysteresis = 3},
+                                         CutOptions{.by = CutBy::kError, .error_bound = 0.5f},
+                                         CutOptions{.by = CutBy::kError, .error_bound = 0}));
 
 TEST(Cut, FillsAVertexBudgetUpToWhatTheNextExpansionCosts) {
   const Surface s = test::torus(40, 50);
@@ -159,12 +159,12 @@ TEST(Cut, FillsAVertexBudgetUpToWhatTheNextExpansionCosts) {
   for (Index budget = 4; budget <= 2000; budget += 37) {
     Cut cut(s.mesh, state.hierarchy, {.by = CutBy::kVertices, .budget = budget});
     cut.update(s.mesh, state);
-    EXPECT_LE(cut.active_count(), budget);
+    EXPECT_LE(cut.vertex_count(), budget);
     std::vector<Index> children(state.hierarchy.node_count(), 0);
     for (const Index p : state.hierarchy.parent) children[p == kNone ? 0 : p] += p != kNone;
     for (Index n = state.hierarchy.vertex_count(); n < state.hierarchy.node_count(); ++n) {
       if (cut.is_active(n)) {
-        EXPECT_GT(cut.active_count() + children[n] - 1, budget) << "node " << n << " would still fit";
+        EXPECT_GT(cut.vertex_count() + children[n] - 1, budget) << "node " << n << " would still fit";
       }
     }
   }
@@ -173,8 +173,8 @@ TEST(Cut, FillsAVertexBudgetUpToWhatTheNextExpansionCosts) {
 TEST(Cut, WithABudgetForEverythingIsTheFinestLevel) {
   const Surface s = test::torus(20, 30);
   const FrameState state = test::patch_state(s, {600, 80, 10});
-  for (const CutOptions& options : {CutOptions{.by = CutBy::kVertices, .budget = 600},
-                                    CutOptions{.by = CutBy::kTriangles, .budget = 1200}}) {
+  for (const CutOptions& options :
+       {CutOptions{.by = CutBy::kVertices, .budget = 600}, CutOptions{.by = CutBy::kTriangles, .budget = 1200}}) {
     Cut cut(s.mesh, state.hierarchy, options);
     cut.update(s.mesh, state);
     for (Index v = 0; v < 600; ++v) EXPECT_TRUE(cut.is_active(v));
@@ -243,8 +243,8 @@ TEST(Cut, WithinAnErrorBoundHoldsItAndExpandsNothingWithoutNeed) {
         EXPECT_GT(distance, limit * (1 - 1e-9));
       }
     }
-    EXPECT_GE(cut.active_count(), last_count) << "a tighter bound is no coarser";
-    last_count = cut.active_count();
+    EXPECT_GE(cut.vertex_count(), last_count) << "a tighter bound is no coarser";
+    last_count = cut.vertex_count();
   }
   EXPECT_GT(last_count, 900u);
 }
@@ -279,9 +279,9 @@ TEST(Cut, DoesNotChargeIsolatedVertices) {
   for (const Index budget : {10u, 40u, 113u, 200u}) {
     Cut cut(s.mesh, h, {.by = CutBy::kVertices, .budget = budget});
     cut.update(s.mesh, state);
-    EXPECT_LE(cut.active_count(), budget);
-    EXPECT_GT(cut.active_count() + 8, budget);
-    EXPECT_EQ(active_nodes(cut).size(), cut.active_count() + 50);
+    EXPECT_LE(cut.vertex_count(), budget);
+    EXPECT_GT(cut.vertex_count() + 8, budget);
+    EXPECT_EQ(active_nodes(cut).size(), cut.vertex_count() + 50);
     if (budget < 200) continue;
     for (Index v = 0; v < 250; ++v) EXPECT_TRUE(cut.is_active(v)) << "everything, isolated vertices too";
   }
@@ -297,7 +297,7 @@ TEST(Cut, OfAHierarchyOfOneLevelIsThatLevel) {
     Cut cut(s.mesh, state.hierarchy, {.by = by, .level = 3, .budget = 2});
     cut.update(s.mesh, state);
     EXPECT_EQ(active_nodes(cut), std::vector<Index>({0, 1, 2, 3, 4, 5}));
-    EXPECT_EQ(cut.active_count(), 6u);
+    EXPECT_EQ(cut.vertex_count(), 6u);
   }
 }
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "limber/view/extract.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 
 #include "tests/view/allocations.h"
 #include "tests/view/patches.h"
@@ -62,7 +61,8 @@ TEST(Extract, OfLevelZeroIsTheInputWithoutIsolatedVertices) {
   const MeshBuffers compact = extract_by(s.mesh, state, {.by = CutBy::kLevel, .level = 0}).buffers;
   expect_sound(compact, state);
   EXPECT_EQ(compact.vertex_count(), 20u);
-  ASSERT_EQ(compact.triangle_count() + 1, s.mesh.triangles.size()) << "all but the degenerate one, the repeated one too";
+  ASSERT_EQ(compact.triangle_count() + 1, s.mesh.triangles.size())
+      << "all but the degenerate one, the repeated one too";
   for (std::size_t i = 0; i < compact.indices.size(); ++i) {
     EXPECT_EQ(compact.nodes[compact.indices[i]], s.mesh.triangles[i / 3 + 1][i % 3]);
   }
@@ -76,7 +76,8 @@ TEST(Extract, OfLevelZeroIsTheInputWithoutIsolatedVertices) {
   }
   for (const Vec3f& normal : whole.buffers.normals) EXPECT_NEAR(length(normal), 1, 1e-6);
 
-  const MeshBuffers coarser = extract_by(s.mesh, state, {.by = CutBy::kLevel, .level = 1}, {.whole_input = true}).buffers;
+  const MeshBuffers coarser =
+      extract_by(s.mesh, state, {.by = CutBy::kLevel, .level = 1}, {.whole_input = true}).buffers;
   EXPECT_EQ(coarser.vertex_count(), 20u) << "the option concerns level 0 alone";
 }
 
@@ -94,6 +95,35 @@ TEST(Extract, GivesNormalsThatPointOutwards) {
       outwards += dot(buffers.normals[v], Vec3f{p.x - 3 * p.x / ring, p.y - 3 * p.y / ring, p.z}) > 0;
     }
     EXPECT_GE(outwards, buffers.vertex_count() * 49 / 50);
+  }
+}
+
+// Ten tori of 36 vertices, 6 x 6; a node of level 2 is a whole torus.
+TEST(Extract, OfManyPartsHoldsAVertexBudgetBelowTheirNumber) {
+  Surface s;
+  for (Index part = 0; part < 10; ++part) {
+    const Surface one = test::torus(6, 6);
+    for (const Triangle& t : one.mesh.triangles) {
+      s.mesh.triangles.push_back({t[0] + 36 * part, t[1] + 36 * part, t[2] + 36 * part});
+    }
+    for (const Vec3f& p : one.positions) s.positions.push_back(p * static_cast<float>(part + 1));
+  }
+  s.mesh.vertex_count = 360;
+  FrameState state;
+  state.hierarchy.level_begin = {0, 360, 480, 490};
+  for (Index v = 0; v < 360; ++v) state.hierarchy.parent.push_back(360 + v / 3);
+  for (Index n = 0; n < 120; ++n) state.hierarchy.parent.push_back(480 + n / 12);
+  state.hierarchy.parent.resize(490, kNone);
+  state.positions = s.positions;
+  test::place_nodes(s.mesh, state);
+  for (Index budget = 0; budget <= 360; ++budget) {
+    Cut cut(s.mesh, state.hierarchy, {.by = CutBy::kVertices, .budget = budget});
+    cut.update(s.mesh, state);
+    Extracted result;
+    extract(s.mesh, state, cut, result.scratch, result.buffers);
+    ASSERT_LE(cut.vertex_count(), budget);
+    ASSERT_EQ(result.buffers.vertex_count(), cut.vertex_count());
+    ASSERT_GT(cut.vertex_count() + 12, budget);
   }
 }
 
@@ -129,6 +159,7 @@ TEST(Extract, IntoUsedBuffersIsExtractionFromScratch) {
     cut.update(s.mesh, state);
     extract(s.mesh, state, cut, kept.scratch, kept.buffers);
     expect_sound(kept.buffers, state);
+    ASSERT_LE(kept.buffers.vertex_count(), cut.vertex_count());
     const MeshBuffers fresh = extract_by(s.mesh, state, cut.options()).buffers;
     ASSERT_EQ(kept.buffers.nodes, fresh.nodes);
     ASSERT_EQ(kept.buffers.indices, fresh.indices);

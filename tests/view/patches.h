@@ -134,7 +134,8 @@ inline FrameState patch_state(const Surface& surface, const std::vector<Index>& 
   state.positions = surface.positions;
   std::vector<std::pair<Index, Index>> edges;
   for (const Triangle& t : surface.mesh.triangles) {
-    for (int i = 0; i < 3; ++i) edges.push_back({t[static_cast<std::size_t>(i)], t[static_cast<std::size_t>(i + 1) % 3]});
+    for (int i = 0; i < 3; ++i)
+      edges.push_back({t[static_cast<std::size_t>(i)], t[static_cast<std::size_t>(i + 1) % 3]});
   }
   Hierarchy& h = state.hierarchy;
   h.level_begin = {0};
@@ -160,7 +161,8 @@ inline void deform(const Mesh& mesh, FrameState& state, std::uint32_t count, Ran
     const Triangle& t = mesh.triangles[random.below(static_cast<std::uint32_t>(mesh.triangles.size()))];
     const Index corner = random.below(3);
     Index a = t[corner], b = t[(corner + 1) % 3];
-    for (Index level = 0; level + 2 < h.level_count() && random.below(8) == 0; ++level) a = h.parent[a], b = h.parent[b];
+    for (Index level = 0; level + 2 < h.level_count() && random.below(8) == 0; ++level)
+      a = h.parent[a], b = h.parent[b];
     const Swap swap{a, h.parent[b]};
     if (h.parent[a] == swap.parent || child_count[h.parent[a]] < 2) continue;
     --child_count[h.parent[a]], ++child_count[swap.parent];

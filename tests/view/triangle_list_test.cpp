@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "limber/view/triangle_list.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
+#include <gtest/gtest.h>
 #include <set>
 
 #include "tests/view/allocations.h"

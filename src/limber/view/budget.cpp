@@ -125,7 +125,7 @@ std::uint64_t Budget::take_whole_buckets(const Costs& costs, std::span<std::uint
   const std::size_t size = rank_.size();
   std::uint64_t left = costs.budget;
   std::uint32_t prefix = 0;
-  for (unsigned shift = kDigitBits; ; shift = 0) {
+  for (unsigned shift = kDigitBits;; shift = 0) {
     std::array<std::uint64_t, kDigitCount> price{};
     for (std::size_t n = 0; n < size; ++n) {
       const std::uint32_t digits = bucket_of(rank[n]) >> shift;
@@ -139,6 +139,17 @@ std::uint64_t Budget::take_whole_buckets(const Costs& costs, std::span<std::uint
   last_bucket_ = prefix;
   for (std::size_t n = 0; n < size; ++n) expanded[n] = bucket_of(rank[n]) > prefix;
   return left;
+}
+
+template <class Condition>
+void Budget::gather(Condition condition) {
+  candidates_.resize(rank_.size());
+  std::size_t count = 0;
+  for (Index n = 0; n < rank_.size(); ++n) {
+    candidates_[count] = heap_key(rank_[n], n);
+    count += condition(n);
+  }
+  candidates_.resize(count);
 }
 
 // Takes those candidates that fit, in order, and gives what is left. When nothing is, only nodes without a price can
@@ -173,15 +184,12 @@ void Budget::choose(const Hierarchy& hierarchy, const Costs& costs, float hyster
   rank_below_parents(hierarchy, hysteresis, expanded);
 
   std::uint64_t left = take_whole_buckets(costs, expanded);
-  candidates_.clear();
-  for (Index n = 0; n < rank_.size(); ++n) {
-    if (bucket_of(rank_[n]) == last_bucket_) candidates_.push_back(heap_key(rank_[n], n));
-  }
+  gather([&](Index n) -> bool { return bucket_of(rank_[n]) == last_bucket_; });
   left = take_candidates(hierarchy, costs, left, expanded);
-  candidates_.clear();
-  for (Index n = 0; n < rank_.size(); ++n) {
-    if (bucket_of(rank_[n]) < last_bucket_ && costs.price[n] <= left) candidates_.push_back(heap_key(rank_[n], n));
-  }
+  gather([&](Index n) -> bool {
+    const bool later = bucket_of(rank_[n]) < last_bucket_, fits = costs.price[n] <= left;
+    return later & fits;
+  });
   take_candidates(hierarchy, costs, left, expanded);
 }
 

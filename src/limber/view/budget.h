@@ -43,6 +43,8 @@ class Budget {
   Group best_group(Index node, float threshold, std::span<const std::uint32_t> price) const;
   void rank_below_parents(const Hierarchy& hierarchy, float hysteresis, std::span<const std::uint8_t> expanded);
   std::uint64_t take_whole_buckets(const Costs& costs, std::span<std::uint8_t> expanded);
+  template <class Condition>
+  void gather(Condition condition);
   std::uint64_t take_candidates(const Hierarchy& hierarchy, const Costs& costs, std::uint64_t left,
                                 std::span<std::uint8_t> expanded);
 

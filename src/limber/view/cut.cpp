@@ -3,7 +3,7 @@
 // updates the active triangles from stored changes of degenerate sets; here each frame's cut is made anew in flat
 // passes over all nodes, which is faster (docs/design.md) and needs nothing from the frame before but one bit per node.
 //
-//   count_children                        how many children of each node stand for any surface
+//   count_children                        what of each node's children stands for any surface
 //   expand_...                            which nodes are expanded, by the criterion
 //   label_nodes                           from the top down: label(n) = label(parent), or n where that is expanded
 #include "limber/view/cut.h"
@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 
 #include "limber/base/vec.h"
 
@@ -38,27 +39,55 @@ double diagonal(std::span<const Vec3f> positions) {
   return box.diagonal();
 }
 
-// The label of a node whose parent has the label `above`; `own` is that of a node whose parent is expanded. Written
-// without a choice because compilers make a branch of it that nothing can foresee; kNone has all bits set.
-Index label_below(Index above, Index own) { return above & (own | (Index{above == kNone} - 1)); }
+// The label of a node whose parent has the label `above`; `own` is that of a node whose parent is expanded. Nodes have
+// lower numbers than their ancestors, and kNone, as a signed number, is lower than any: so it is the larger of the two.
+// Compilers make a branch of a choice here, and nothing can foresee that branch.
+Index label_below(Index above, Index own) {
+  return static_cast<Index>(std::max(static_cast<std::int32_t>(above), static_cast<std::int32_t>(own)));
+}
 
 }  // namespace
 
 Cut::Cut(const Mesh& mesh, const Hierarchy& hierarchy, const CutOptions& options) {
-  assert(mesh.vertex_count == hierarchy.vertex_count());
+  assert(mesh.vertex_count == hierarchy.vertex_count() && hierarchy.node_count() <= kNone / 2);
   triangle_count_ = mesh.triangles.size();
   labels_.assign(hierarchy.node_count(), kNone);
   set_options(options);
   const std::size_t coarse_count = hierarchy.node_count() - hierarchy.vertex_count();
   budget_.reserve(hierarchy);
+  find_parts(mesh);
+  expanded_.assign(coarse_count, 0);
+  surface_children_.resize(coarse_count);
+  vertices_below_.resize(coarse_count);
+  part_size_below_.resize(coarse_count);
+  is_whole_.assign(coarse_count, 0);
+  price_.resize(coarse_count);
+}
+
+// Union and find over the triangles, which alone draw: their corners are connected.
+void Cut::find_parts(const Mesh& mesh) {
+  std::vector<Index> root(mesh.vertex_count);
+  std::iota(root.begin(), root.end(), Index{0});
+  const auto find = [&](Index v) {
+    while (root[v] != v) v = root[v] = root[root[v]];
+    return v;
+  };
   has_surface_.assign(mesh.vertex_count, 0);
   for (const Triangle& t : mesh.triangles) {
     if (is_degenerate(t)) continue;
-    for (const Index corner : t) has_surface_[corner] = 1;
+    for (const Index corner : t) {
+      has_surface_[corner] = 1;
+      root[find(corner)] = find(t[0]);
+    }
   }
-  expanded_.assign(coarse_count, 0);
-  surface_children_.resize(coarse_count);
-  price_.resize(coarse_count);
+  std::vector<Index> size(mesh.vertex_count, 0);
+  for (Index v = 0; v < mesh.vertex_count; ++v) size[find(v)] += has_surface_[v];
+  largest_part_ = size.empty() ? 0 : *std::max_element(size.begin(), size.end());
+  part_size_.resize(mesh.vertex_count);
+  for (Index v = 0; v < mesh.vertex_count; ++v) {
+    part_size_[v] = size[find(v)];
+    has_parts_ |= has_surface_[v] && part_size_[v] != largest_part_;
+  }
 }
 
 void Cut::set_options(const CutOptions& options) {
@@ -71,12 +100,38 @@ void Cut::set_options(const CutOptions& options) {
 void Cut::count_children(const Hierarchy& hierarchy) {
   const Index base = hierarchy.vertex_count();
   const Index top_begin = hierarchy.level_begin[hierarchy.level_count() - 1];
+  const Index* parents = hierarchy.parent.data();
+  const std::uint8_t* has_surface = has_surface_.data();
+  std::uint32_t* children = surface_children_.data();
   std::fill(surface_children_.begin(), surface_children_.end(), 0);
   if (top_begin == 0) return;
-  for (Index v = 0; v < base; ++v) surface_children_[hierarchy.parent[v] - base] += has_surface_[v];
-  for (Index n = base; n < top_begin; ++n) {
-    surface_children_[hierarchy.parent[n] - base] += surface_children_[n - base] != 0;
+  for (Index v = 0; v < base; ++v) children[parents[v] - base] += has_surface[v];
+  for (Index n = base; n < top_begin; ++n) children[parents[n] - base] += children[n - base] != 0;
+  find_whole_parts(hierarchy);
+}
+
+// A node is whole iff it has as many finest vertices with surface as the part of the mesh that it lies in.
+void Cut::find_whole_parts(const Hierarchy& hierarchy) {
+  const Index base = hierarchy.vertex_count();
+  const Index top_begin = hierarchy.level_begin[hierarchy.level_count() - 1];
+  const Index* parents = hierarchy.parent.data();
+  std::uint32_t* vertices = vertices_below_.data();
+  Index* part_size = part_size_below_.data();
+  const auto level_1_end = hierarchy.level_begin[2];
+  std::copy_n(surface_children_.begin(), level_1_end - base, vertices_below_.begin());
+  std::fill(vertices_below_.begin() + (level_1_end - base), vertices_below_.end(), 0);
+  std::fill(part_size_below_.begin(), part_size_below_.end(), largest_part_);
+  if (has_parts_) {
+    for (Index v = 0; v < base; ++v) {
+      if (has_surface_[v]) part_size[parents[v] - base] = part_size_[v];
+    }
   }
+  for (Index n = base; n < top_begin; ++n) {
+    const Index parent = parents[n] - base;
+    vertices[parent] += vertices[n - base];
+    if (vertices[n - base] != 0) part_size[parent] = part_size[n - base];
+  }
+  for (std::size_t n = 0; n < is_whole_.size(); ++n) is_whole_[n] = vertices[n] == part_size[n];
 }
 
 // A finest triangle is in the degenerate set of the finest node at which two of its corners meet, and is drawn iff that
@@ -117,9 +172,12 @@ void Cut::expand_by_vertices(const FrameState& state) {
   const Hierarchy& hierarchy = state.hierarchy;
   const Index base = hierarchy.vertex_count();
   const Index top_begin = hierarchy.level_begin[hierarchy.level_count() - 1];
-  for (std::size_t n = 0; n < price_.size(); ++n) price_[n] = std::max(surface_children_[n], 1u) - 1;
+  for (std::size_t n = 0; n < price_.size(); ++n) {
+    const std::uint32_t children = surface_children_[n];
+    price_[n] = children > 1 ? children - 1 + is_whole_[n] : 0;
+  }
   Index top_count = 0;
-  for (std::size_t n = top_begin - base; n < price_.size(); ++n) top_count += surface_children_[n] != 0;
+  for (std::size_t n = top_begin - base; n < price_.size(); ++n) top_count += is_drawn(n);
   const Index left = options_.budget > top_count ? options_.budget - top_count : 0;
   budget_.choose(hierarchy, {std::span(state.errors).subspan(base), price_, left}, options_.hysteresis, expanded_);
 }
@@ -161,18 +219,17 @@ void Cut::label_nodes(const Hierarchy& hierarchy) {
   for (Index n = base; n < node_count; ++n) expanded[n - base] = labels[n] == kNone;
 }
 
-void Cut::count_active(const Hierarchy& hierarchy) {
+void Cut::count_vertices(const Hierarchy& hierarchy) {
   const Index base = hierarchy.vertex_count();
   const Index* labels = labels_.data();
-  const std::uint32_t* children = surface_children_.data();
   Index count = 0;
-  for (Index n = base; n < hierarchy.node_count(); ++n) count += (labels[n] == n) & (children[n - base] != 0);
+  for (Index n = base; n < hierarchy.node_count(); ++n) count += labels[n] == n && is_drawn(n - base);
   if (hierarchy.level_count() == 1) {
     for (const std::uint8_t has : has_surface_) count += has;
   } else {
-    for (Index n = 0; n < hierarchy.level_size(1); ++n) count += expanded_[n] * children[n];
+    for (Index n = 0; n < hierarchy.level_size(1); ++n) count += expanded_[n] * surface_children_[n];
   }
-  active_count_ = count;
+  vertex_count_ = count;
 }
 
 void Cut::update(const Mesh& mesh, const FrameState& state) {
@@ -180,13 +237,21 @@ void Cut::update(const Mesh& mesh, const FrameState& state) {
   assert(mesh.vertex_count == has_surface_.size());
   count_children(state.hierarchy);
   switch (options_.by) {
-    case CutBy::kLevel: expand_down_to_level(state.hierarchy); break;
-    case CutBy::kVertices: expand_by_vertices(state); break;
-    case CutBy::kTriangles: expand_by_triangles(mesh, state); break;
-    case CutBy::kError: expand_by_error(mesh, state); break;
+    case CutBy::kLevel:
+      expand_down_to_level(state.hierarchy);
+      break;
+    case CutBy::kVertices:
+      expand_by_vertices(state);
+      break;
+    case CutBy::kTriangles:
+      expand_by_triangles(mesh, state);
+      break;
+    case CutBy::kError:
+      expand_by_error(mesh, state);
+      break;
   }
   label_nodes(state.hierarchy);
-  count_active(state.hierarchy);
+  count_vertices(state.hierarchy);
 }
 
 }  // namespace limber

@@ -22,22 +22,24 @@ namespace limber {
 
 enum class CutBy {
   kLevel,      // the nodes of one level
-  kVertices,   // at most so many active nodes, and the least error that they allow
+  kVertices,   // at most so many vertices, and the least error that they allow
   kTriangles,  // at most so many triangles, and the least error that they allow
   kError,      // the coarsest nodes whose distance from the surface they stand for is within a bound
 };
 
 struct CutOptions {
   CutBy by = CutBy::kLevel;
-  Index level = 0;         // kLevel: 0 is the finest; clamped to the top
-  Index budget = 0;        // kVertices, kTriangles
-  float error_bound = 1;   // kError: percent of the bounding box diagonal of the frame, >= 0
+  Index level = 0;           // kLevel: 0 is the finest; clamped to the top
+  Index budget = 0;          // kVertices, kTriangles
+  float error_bound = 1;     // kError: percent of the bounding box diagonal of the frame, >= 0
   float hysteresis = 1.25f;  // >= 1: how many times better a change must be than what the frame before had
 };
 
 // Budgets. The total squared error of the active nodes is made as small as the budget allows (see budget.h). Nothing is
-// coarser than the top level: a budget below that gives the top level. Isolated vertices (corners of no triangle that
-// has three different ones) cost nothing. A triangle budget counts the triangles of list_triangles() before equal ones are made one.
+// coarser than the top level: a budget below that gives the top level. A vertex budget counts active nodes that can
+// have a triangle: not those that stand for isolated vertices alone (corners of no triangle that has three different
+// ones), nor those that stand for a whole connected part of the mesh. A triangle budget counts triangles
+// as list_triangles() finds them, before it makes equal ones one.
 //
 // Error bound. A node is contracted where errors[n] / sqrt(area) is within the bound: the root of the mean squared
 // distance over the area that the node stands for at this frame, a third of each finest triangle going to each corner.
@@ -48,6 +50,7 @@ struct CutOptions {
 class Cut {
  public:
   // Allocates all that updates need. `hierarchy` is any frame's of the clip: level sizes do not change.
+  // Precondition: fewer than 2^31 nodes.
   Cut(const Mesh& mesh, const Hierarchy& hierarchy, const CutOptions& options);
 
   // Takes effect at the next update, and may allocate. That update still has the hysteresis of the cut so far.
@@ -66,31 +69,46 @@ class Cut {
   // Whether a node lies above the cut.
   bool is_expanded(Index node) const { return labels_[node] == kNone; }
 
-  // The number of active nodes that stand for any surface: isolated vertices do not.
-  Index active_count() const { return active_count_; }
+  // The number of active nodes that can have a triangle, as a vertex budget counts them: no less, and hardly ever more,
+  // than the vertices of the extracted mesh.
+  Index vertex_count() const { return vertex_count_; }
 
  private:
+  void find_parts(const Mesh& mesh);
   void count_children(const Hierarchy& hierarchy);
+  void find_whole_parts(const Hierarchy& hierarchy);
   void price_triangles(const Mesh& mesh, const Hierarchy& hierarchy);
   void expand_down_to_level(const Hierarchy& hierarchy);
   void expand_by_vertices(const FrameState& state);
   void expand_by_triangles(const Mesh& mesh, const FrameState& state);
   void expand_by_error(const Mesh& mesh, const FrameState& state);
   void label_nodes(const Hierarchy& hierarchy);
-  void count_active(const Hierarchy& hierarchy);
+  void count_vertices(const Hierarchy& hierarchy);
+  bool is_drawn(std::size_t coarse) const { return surface_children_[coarse] != 0 && is_whole_[coarse] == 0; }
 
   CutOptions options_;
   Budget budget_;
-  std::vector<std::uint8_t> has_surface_;     // [vertex_count]
-  std::vector<Index> labels_;                 // [node_count]
-  std::vector<std::uint8_t> expanded_;        // [node_count - vertex_count], as are the next two
-  std::vector<std::uint32_t> surface_children_;
-  std::vector<std::uint32_t> price_;
-  std::vector<double> area_;       // [node_count], for an error bound
-  std::vector<Triangle> images_;   // [triangle_count_], for a triangle budget
+  Index vertex_count_ = 0;
+  std::vector<Index> labels_;  // [node_count]
+
+  // Of the mesh: a part is what triangles connect.
+  std::vector<std::uint8_t> has_surface_;  // [mesh.vertex_count]: a triangle that is not degenerate has it as a corner
+  std::vector<Index> part_size_;           // [mesh.vertex_count]: how many of them the vertex's part has
+  Index largest_part_ = 0;
+  bool has_parts_ = false;  // parts of different sizes
   std::size_t triangle_count_ = 0;
-  Index active_count_ = 0;
+
+  // Of the frame: [node_count - vertex_count], coarse node n at n - vertex_count.
+  std::vector<std::uint8_t> expanded_;  // all that is kept from frame to frame
+  std::vector<std::uint32_t> surface_children_;
+  std::vector<std::uint32_t> vertices_below_;  // with surface
+  std::vector<Index> part_size_below_;
+  std::vector<std::uint8_t> is_whole_;
+  std::vector<std::uint32_t> price_;
   std::uint32_t top_triangle_count_ = 0;
+
+  std::vector<double> area_;      // [node_count], for an error bound
+  std::vector<Triangle> images_;  // [triangle_count_], for a triangle budget
 };
 
 }  // namespace limber
