@@ -57,6 +57,7 @@ foreach(target IN LISTS linked)
   endif()
 endforeach()
 
+set_target_properties(limber_player PROPERTIES EXPORT_NAME player)
 install(TARGETS limber_player limber EXPORT limberTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
         INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/limber ${PROJECT_BINARY_DIR}/include/limber
