@@ -23,6 +23,8 @@ set(limber_find_dependencies "")
 set(limber_pc_requires "limber-player = ${PROJECT_VERSION}")
 set(limber_pc_libs "")
 get_target_property(linked limber LINK_LIBRARIES)
+list(FILTER linked EXCLUDE REGEX "^::@")  # marks the folder that linked what follows
+list(REMOVE_DUPLICATES linked)
 foreach(target IN LISTS linked)
   if(target STREQUAL "limber_player" OR target STREQUAL "limber::player")
     continue()
