@@ -17,13 +17,15 @@
 #include <cassert>
 
 #include "limber/contract/edges.h"
+#include "limber/contract/spatial_order.h"
 
 namespace limber {
 
 Contractor::Contractor(const Mesh& mesh, std::span<const std::span<const Vec3f>> frames, const ContractOptions& options)
     : options_(options),
       frame_count_(frames.size()),
-      surface_(mesh),
+      order_(spatial_order(frames[0])),
+      surface_(renumbered(mesh, order_, places_)),
       normalizations_(frames.size()),
       quadrics_(mesh.vertex_count * frames.size()),
       positions_(mesh.vertex_count * frames.size()),
@@ -31,7 +33,6 @@ Contractor::Contractor(const Mesh& mesh, std::span<const std::span<const Vec3f>>
       priced_age_(surface_.edge_count(), 0),
       minima_(frames.size()),
       queue_(surface_.edge_count()) {
-  assert(!frames.empty());
   VertexQuadrics vertex_quadrics(mesh, options.quadrics);
   std::vector<Vec3d> unit(mesh.vertex_count);
   std::vector<Quadric> quadrics(mesh.vertex_count);
@@ -41,9 +42,9 @@ Contractor::Contractor(const Mesh& mesh, std::span<const std::span<const Vec3f>>
     normalizations_[f] = {normalization(frames[f]).center, scale};
     for (Index v = 0; v < mesh.vertex_count; ++v) unit[v] = normalizations_[f].to_unit(frames[f][v]);
     vertex_quadrics.compute(unit, quadrics);
-    for (Index v = 0; v < mesh.vertex_count; ++v) {
-      quadrics_[v * frame_count_ + f] = quadrics[v];
-      positions_[v * frame_count_ + f] = static_cast<Vec3f>(unit[v]);
+    for (Index i = 0; i < mesh.vertex_count; ++i) {
+      quadrics_[i * frame_count_ + f] = quadrics[order_[i]];
+      positions_[i * frame_count_ + f] = static_cast<Vec3f>(unit[order_[i]]);
     }
   }
   for (Index e = 0; e < surface_.edge_count(); ++e) enqueue(e);
@@ -142,13 +143,15 @@ Index Contractor::contract_to(Index target) {
 }
 
 Index Contractor::representative(Index v) const {
-  while (merged_into_[v] != kNone) v = merged_into_[v];
-  return v;
+  Index place = places_[v];
+  while (merged_into_[place] != kNone) place = merged_into_[place];
+  return order_[place];
 }
 
 Vec3f Contractor::position(Index representative, std::size_t frame) const {
-  assert(merged_into_[representative] == kNone && frame < frame_count_);
-  return normalizations_[frame].from_unit(static_cast<Vec3d>(positions_[representative * frame_count_ + frame]));
+  const Index place = places_[representative];
+  assert(merged_into_[place] == kNone && frame < frame_count_);
+  return normalizations_[frame].from_unit(static_cast<Vec3d>(positions_[place * frame_count_ + frame]));
 }
 
 Simplified simplified_mesh(const Contractor& contractor, const Mesh& mesh, std::size_t frame) {

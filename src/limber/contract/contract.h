@@ -31,7 +31,7 @@ struct ContractOptions {
 // Isolated vertices stay and do not count.
 class Contractor {
  public:
-  // frames: at least one; each [mesh.vertex_count], finite. The mesh must outlive the contractor.
+  // frames: at least one; each [mesh.vertex_count], finite. Neither need live on.
   Contractor(const Mesh& mesh, std::span<const std::span<const Vec3f>> frames, const ContractOptions& options);
 
   // Contracts until at most `target` vertices are left that are not isolated, or no legal contraction remains; gives
@@ -57,6 +57,8 @@ class Contractor {
 
   ContractOptions options_;
   std::size_t frame_count_;
+  std::vector<Index> order_;   // [vertex_count]: the input's vertex at each place; all below is by place
+  std::vector<Index> places_;  // [vertex_count]: the inverse
   Surface surface_;
   std::vector<Normalization> normalizations_;  // [frame_count]
   std::vector<Quadric> quadrics_;              // [vertex_count x frame_count]
