@@ -58,7 +58,7 @@ TEST(OffReader, RefusesAFileThatEndsEarly) {
   EXPECT_ERROR(parse("OFF\n1000000 1 0\n" + kRows, "a.off"), kTruncated, "too short for the 1000000 vertices");
   EXPECT_ERROR(parse("OFF\n9223372036854775807 9223372036854775807 0\n" + kRows, "a.off"), kTruncated, "too short");
   EXPECT_ERROR(parse("OFF\n4 2 0\n" + kRows, "a.off"), kTruncated, "the file ends after 1 of 2 faces");
-  EXPECT_ERROR(parse("OFF\n4 1 0\n0.000000000 0 0\n1 0 0\n", "a.off"), kTruncated,
+  EXPECT_ERROR(parse("OFF\n4 1 0\n0.00000000000000000 0 0\n1 0 0\n", "a.off"), kTruncated,
                "the file ends after 2 of 4 vertices");
   EXPECT_ERROR(parse("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1", "a.off"), kTruncated, "face 0 needs a line of 3");
 }

@@ -26,7 +26,7 @@ TEST(PlyHeader, GivesElementsPropertiesAndTheStartOfTheBody) {
   EXPECT_EQ(header->elements[1].properties[0].role, PlyRole::kCorners);
   EXPECT_EQ(header->vertex_count, 3u);
   EXPECT_EQ(text.substr(header->body_offset), "BODY");
-  EXPECT_EQ(header->body_line, 12u);
+  EXPECT_EQ(header->body_line, 13u);
 }
 
 TEST(PlyHeader, FindsABodyThatStartsWithALineEnd) {

@@ -107,7 +107,7 @@ TEST(PlyReader, RefusesAPositionThatIsNotFinite) {
   std::string header = kTextHeader;
   header.replace(header.find("ascii"), 5, "binary_little_endian");
   EXPECT_ERROR(parse(header + std::string(48, '\xff') + "xxxxx", "a.ply"), kBadInput,
-               "byte 164: the position of vertex 0 is not finite");
+               ", byte 181: the position of vertex 0 is not finite");
 }
 
 TEST(PlyReader, RefusesTextThatIsNoNumber) {

@@ -37,7 +37,7 @@ inline Mesh tetrahedron() { return {4, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 
 // Reads the text of a mesh file as if it had this name.
 inline Result<MeshFile> parse(std::string_view bytes, const std::string& name) {
   MeshFile file;
-  MeshSink sink(file.positions, file.mesh.triangles);
+  MeshSink sink = MeshSink::collecting(file.positions, file.mesh.triangles);
   if (Result<void> done = read_mesh(bytes, name, sink); !done) return done.error();
   file.mesh.vertex_count = static_cast<Index>(file.positions.size());
   return file;

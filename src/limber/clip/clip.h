@@ -41,7 +41,7 @@ class ClipReader {
 };
 
 struct ClipOptions {
-  std::string mesh;                    // the base mesh of a point cache; empty: the only mesh beside it
+  std::string mesh;  // the base mesh of a point cache; empty: the only mesh beside it
   // The first and last frame numbers to read, as the source numbers them.
   std::optional<std::uint32_t> first;
   std::optional<std::uint32_t> last;
