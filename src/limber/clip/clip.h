@@ -41,8 +41,9 @@ class ClipReader {
 };
 
 struct ClipOptions {
-  std::string mesh;                    // the base mesh of a point cache; empty: the only mesh beside it
-  std::optional<std::uint32_t> first;  // first and last frame numbers to read, as the source numbers them
+  std::string mesh;  // the base mesh of a point cache; empty: the only mesh beside it
+  // The first and last frame numbers to read, as the source numbers them.
+  std::optional<std::uint32_t> first;
   std::optional<std::uint32_t> last;
 };
 

@@ -49,6 +49,9 @@ class OutputFile {
   // close(), and the final name. Nothing may follow.
   Result<void> commit();
 
+  // Removes what was written, as destruction does. Nothing may follow.
+  void discard();
+
  private:
   struct Closer {
     void operator()(std::FILE* file) const { std::fclose(file); }
@@ -56,7 +59,6 @@ class OutputFile {
 
   OutputFile() = default;
   Error system_error(std::string_view what) const;
-  void discard();
 
   std::unique_ptr<std::FILE, Closer> file_;
   std::filesystem::path path_;

@@ -127,6 +127,7 @@ class MddWriter final : public PointCacheWriter {
       if (Result<void> done = frames_.read_at(offset, bytes_); !done) return done;
       if (Result<void> done = cache_.write(bytes_); !done) return done;
     }
+    frames_.discard();
     return commit();
   }
 
