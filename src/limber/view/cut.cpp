@@ -176,7 +176,7 @@ void Cut::expand_by_vertices(const FrameState& state) {
   const Index top_begin = hierarchy.level_begin[hierarchy.level_count() - 1];
   for (std::size_t n = 0; n < price_.size(); ++n) {
     const std::uint32_t children = surface_children_[n];
-    price_[n] = children > 1 ? children - is_drawn_[n] : 0;
+    price_[n] = (children - is_drawn_[n]) & (0 - std::uint32_t{children > 1});
   }
   Index top_count = 0;
   for (std::size_t n = top_begin - base; n < price_.size(); ++n) top_count += is_drawn_[n];
