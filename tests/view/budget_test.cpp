@@ -111,6 +111,15 @@ TEST(Budget, KeepsWhatWasExpandedUntilAnotherGainsSoMuchMore) {
   EXPECT_EQ(choose(uneven, 1, 1.25f, {1, 0}), Bits({0, 1}));
 }
 
+TEST(Budget, ChoosesTheSameInAnyUnitOfLength) {
+  Tree tree = make_tree({3, 1}, {3, 3, 3}, {3, 2, 4, 10}, {2, 1, 2, 2});
+  for (const float unit : {1e-30f, 1e-12f, 1e12f, 1e30f}) {
+    tree.errors = {3 * unit, 2 * unit, 4 * unit, 10 * unit};
+    EXPECT_EQ(choose(tree, 4), Bits({0, 0, 1, 1}));
+    EXPECT_EQ(choose(tree, 6), Bits({1, 0, 1, 1}));
+  }
+}
+
 TEST(Budget, TakesErrorsThatAreNoNumbersWithoutHarm) {
   const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
   const Tree tree = make_tree({3, 1}, {3, 3, 3}, {nan, infinity, -1, infinity}, {2, 1, 2, 2});

@@ -31,9 +31,10 @@ constexpr unsigned kBucketShift = 31 - 2 * kDigitBits;
 
 std::uint32_t bucket_of(float rank) { return std::bit_cast<std::uint32_t>(rank) >> kBucketShift; }
 
-float rate(double gain, std::uint64_t price) {
-  if (price == 0) return std::numeric_limits<float>::infinity();
-  return gain > 0 ? static_cast<float>(gain) / static_cast<float>(price) : 0.0f;
+// Gains are of the order of 1, so that the smallest float is nothing among them; it makes what costs nothing, whatever
+// it gains, infinite, without a branch. A gain that is no number counts as none.
+float rate(double gain, std::uint32_t price) {
+  return (std::max(0.0f, static_cast<float>(gain)) + std::numeric_limits<float>::min()) / static_cast<float>(price);
 }
 
 // Orders by rank, then by index: coarser nodes have higher indices, so that parents come out of a heap first.
@@ -54,19 +55,24 @@ void Budget::reserve(const Hierarchy& hierarchy) {
   candidates_.reserve(size);
 }
 
+// Relative to the largest error of the top level, so that no unit of length leads beyond the range of a float.
 void Budget::measure_gains(const Hierarchy& hierarchy, std::span<const float> errors) {
   const Index base = hierarchy.vertex_count();
   const Index below_top = hierarchy.level_begin[hierarchy.level_count() - 1] - base;
   const Index* parents = hierarchy.parent.data() + base;
+  float largest = 0;
+  for (const float error : errors.subspan(below_top)) largest = std::max(largest, error);
+  const double scale = largest > 0 ? 1 / double{largest} : 1;
   for (auto n = static_cast<Index>(gain_.size()); n-- > below_top;) {
-    gain_[n] = double{errors[n]} * double{errors[n]};
+    const double error = scale * double{errors[n]};
+    gain_[n] = error * error;
     first_child_[n] = kNone;
   }
   for (Index n = below_top; n-- > 0;) {
-    const double squared = double{errors[n]} * double{errors[n]};
+    const double error = scale * double{errors[n]};
     const Index parent = parents[n] - base;
-    gain_[n] = squared;
-    gain_[parent] -= squared;
+    gain_[n] = error * error;
+    gain_[parent] -= error * error;
     first_child_[n] = kNone;
     next_sibling_[n] = first_child_[parent];
     first_child_[parent] = n;

@@ -21,7 +21,8 @@ class Budget {
   // at n - vertex_count.
   struct Costs {
     std::span<const float> errors;         // square root of the squared error that the node stands for, >= 0
-    std::span<const std::uint32_t> price;  // what expanding the node uses up, once its parent is expanded
+    std::span<const std::uint32_t> price;  // what expanding the node uses up, once its parent is expanded; the sum over
+                                           // all nodes is below 2^32
     std::uint32_t budget = 0;              // what may be used up in all
   };
 
@@ -35,7 +36,7 @@ class Budget {
   // A group's gain is the squared error it takes away, its price what it uses up.
   struct Group {
     double gain = 0;
-    std::uint64_t price = 0;
+    std::uint32_t price = 0;
   };
 
   void measure_gains(const Hierarchy& hierarchy, std::span<const float> errors);

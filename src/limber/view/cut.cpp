@@ -60,7 +60,7 @@ Cut::Cut(const Mesh& mesh, const Hierarchy& hierarchy, const CutOptions& options
   surface_children_.resize(coarse_count);
   vertices_below_.resize(coarse_count);
   part_size_below_.resize(coarse_count);
-  is_whole_.assign(coarse_count, 0);
+  is_drawn_.assign(coarse_count, 0);
   price_.resize(coarse_count);
 }
 
@@ -107,11 +107,11 @@ void Cut::count_children(const Hierarchy& hierarchy) {
   if (top_begin == 0) return;
   for (Index v = 0; v < base; ++v) children[parents[v] - base] += has_surface[v];
   for (Index n = base; n < top_begin; ++n) children[parents[n] - base] += children[n - base] != 0;
-  find_whole_parts(hierarchy);
+  find_drawn(hierarchy);
 }
 
-// A node is whole iff it has as many finest vertices with surface as the part of the mesh that it lies in.
-void Cut::find_whole_parts(const Hierarchy& hierarchy) {
+// A node can be drawn iff it has some, but not as many finest vertices with surface as the part of the mesh it lies in.
+void Cut::find_drawn(const Hierarchy& hierarchy) {
   const Index base = hierarchy.vertex_count();
   const Index top_begin = hierarchy.level_begin[hierarchy.level_count() - 1];
   const Index* parents = hierarchy.parent.data();
@@ -131,7 +131,9 @@ void Cut::find_whole_parts(const Hierarchy& hierarchy) {
     vertices[parent] += vertices[n - base];
     if (vertices[n - base] != 0) part_size[parent] = part_size[n - base];
   }
-  for (std::size_t n = 0; n < is_whole_.size(); ++n) is_whole_[n] = vertices[n] == part_size[n];
+  std::uint8_t* is_drawn = is_drawn_.data();
+  const std::uint32_t* children = surface_children_.data();
+  for (std::size_t n = 0; n < is_drawn_.size(); ++n) is_drawn[n] = (children[n] != 0) & (vertices[n] != part_size[n]);
 }
 
 // A finest triangle is in the degenerate set of the finest node at which two of its corners meet, and is drawn iff that
@@ -174,10 +176,10 @@ void Cut::expand_by_vertices(const FrameState& state) {
   const Index top_begin = hierarchy.level_begin[hierarchy.level_count() - 1];
   for (std::size_t n = 0; n < price_.size(); ++n) {
     const std::uint32_t children = surface_children_[n];
-    price_[n] = children > 1 ? children - 1 + is_whole_[n] : 0;
+    price_[n] = (children - is_drawn_[n]) & (0 - std::uint32_t{children > 1});
   }
   Index top_count = 0;
-  for (std::size_t n = top_begin - base; n < price_.size(); ++n) top_count += is_drawn(n);
+  for (std::size_t n = top_begin - base; n < price_.size(); ++n) top_count += is_drawn_[n];
   const Index left = options_.budget > top_count ? options_.budget - top_count : 0;
   budget_.choose(hierarchy, {std::span(state.errors).subspan(base), price_, left}, options_.hysteresis, expanded_);
 }
@@ -222,8 +224,9 @@ void Cut::label_nodes(const Hierarchy& hierarchy) {
 void Cut::count_vertices(const Hierarchy& hierarchy) {
   const Index base = hierarchy.vertex_count();
   const Index* labels = labels_.data();
+  const std::uint8_t* is_drawn = is_drawn_.data();
   Index count = 0;
-  for (Index n = base; n < hierarchy.node_count(); ++n) count += labels[n] == n && is_drawn(n - base);
+  for (Index n = base; n < hierarchy.node_count(); ++n) count += Index{labels[n] == n} & is_drawn[n - base];
   if (hierarchy.level_count() == 1) {
     for (const std::uint8_t has : has_surface_) count += has;
   } else {

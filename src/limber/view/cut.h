@@ -76,7 +76,7 @@ class Cut {
  private:
   void find_parts(const Mesh& mesh);
   void count_children(const Hierarchy& hierarchy);
-  void find_whole_parts(const Hierarchy& hierarchy);
+  void find_drawn(const Hierarchy& hierarchy);
   void price_triangles(const Mesh& mesh, const Hierarchy& hierarchy);
   void expand_down_to_level(const Hierarchy& hierarchy);
   void expand_by_vertices(const FrameState& state);
@@ -84,7 +84,6 @@ class Cut {
   void expand_by_error(const Mesh& mesh, const FrameState& state);
   void label_nodes(const Hierarchy& hierarchy);
   void count_vertices(const Hierarchy& hierarchy);
-  bool is_drawn(std::size_t coarse) const { return surface_children_[coarse] != 0 && is_whole_[coarse] == 0; }
 
   CutOptions options_;
   Budget budget_;
@@ -103,7 +102,7 @@ class Cut {
   std::vector<std::uint32_t> surface_children_;
   std::vector<std::uint32_t> vertices_below_;  // with surface
   std::vector<Index> part_size_below_;
-  std::vector<std::uint8_t> is_whole_;
+  std::vector<std::uint8_t> is_drawn_;  // can have a triangle while active
   std::vector<std::uint32_t> price_;
   std::uint32_t top_triangle_count_ = 0;
 
