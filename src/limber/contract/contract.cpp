@@ -17,34 +17,42 @@
 #include <cassert>
 
 #include "limber/contract/edges.h"
-#include "limber/contract/spatial_order.h"
 
 namespace limber {
 
 Contractor::Contractor(const Mesh& mesh, std::span<const std::span<const Vec3f>> frames, const ContractOptions& options)
+    : Contractor(in_spatial_order(mesh, frames[0]), frames, options) {}
+
+Contractor::Contractor(SpatialMesh placed, std::span<const std::span<const Vec3f>> frames,
+                       const ContractOptions& options)
     : options_(options),
       frame_count_(frames.size()),
-      order_(spatial_order(frames[0])),
-      surface_(renumbered(mesh, order_, places_)),
+      order_(std::move(placed.order)),
+      places_(std::move(placed.places)),
+      surface_(placed.mesh),
       normalizations_(frames.size()),
-      quadrics_(mesh.vertex_count * frames.size()),
-      positions_(mesh.vertex_count * frames.size()),
-      merged_into_(mesh.vertex_count, kNone),
+      quadrics_(order_.size() * frames.size()),
+      positions_(order_.size() * frames.size()),
+      merged_into_(order_.size(), kNone),
       priced_age_(surface_.edge_count(), 0),
       minima_(frames.size()),
       queue_(surface_.edge_count()) {
-  VertexQuadrics vertex_quadrics(mesh, options.quadrics);
-  std::vector<Vec3d> unit(mesh.vertex_count);
-  std::vector<Quadric> quadrics(mesh.vertex_count);
+  VertexQuadrics vertex_quadrics(placed.mesh, options.quadrics);
+  std::vector<Vec3d> unit(order_.size());
+  std::vector<Quadric> of_one_frame(frame_count_ > 1 ? order_.size() : 0);
   const double scale = normalization(frames[0]).scale;
   for (std::size_t f = 0; f < frame_count_; ++f) {
-    assert(frames[f].size() == mesh.vertex_count);
+    assert(frames[f].size() == order_.size());
     normalizations_[f] = {normalization(frames[f]).center, scale};
-    for (Index v = 0; v < mesh.vertex_count; ++v) unit[v] = normalizations_[f].to_unit(frames[f][v]);
-    vertex_quadrics.compute(unit, quadrics);
-    for (Index i = 0; i < mesh.vertex_count; ++i) {
-      quadrics_[i * frame_count_ + f] = quadrics[order_[i]];
-      positions_[i * frame_count_ + f] = static_cast<Vec3f>(unit[order_[i]]);
+    for (Index i = 0; i < order_.size(); ++i) {
+      unit[i] = normalizations_[f].to_unit(frames[f][order_[i]]);
+      positions_[i * frame_count_ + f] = static_cast<Vec3f>(unit[i]);
+    }
+    if (frame_count_ == 1) {
+      vertex_quadrics.compute(unit, quadrics_);
+    } else {
+      vertex_quadrics.compute(unit, of_one_frame);
+      for (Index i = 0; i < order_.size(); ++i) quadrics_[i * frame_count_ + f] = of_one_frame[i];
     }
   }
   for (Index e = 0; e < surface_.edge_count(); ++e) enqueue(e);
@@ -103,6 +111,14 @@ void Contractor::apply(Index edge) {
   });
 }
 
+// What the next contractions will touch is on its way while this one is made.
+void Contractor::fetch_ahead() const {
+  if (const Index e = queue_.upcoming(5); e != kNone) surface_.fetch_runs(e);
+  if (const Index e = queue_.upcoming(3); e != kNone) surface_.fetch_records(e);
+  if (const Index e = queue_.upcoming(1); e != kNone)
+    surface_.fetch_neighbours(e, [this](Index v) { __builtin_prefetch(&positions_[v * frame_count_]); });
+}
+
 Index Contractor::contract_to(Index target) {
   bool progress = true;
   const auto reprice = [this](Index edge, float old_cost) {
@@ -112,17 +128,21 @@ Index Contractor::contract_to(Index target) {
     priced_age_[edge] = age;
     return cost(edge);
   };
+  const auto fetch = [this](Index edge) {
+    surface_.fetch_ends(edge, [this](Index v) { __builtin_prefetch(&quadrics_[v * frame_count_]); });
+  };
   while (surface_.vertex_count() > target) {
-    if (!queue_.advance(reprice)) {
+    if (!queue_.advance(reprice, fetch)) {
       if (!progress && !check_fold_over_) break;
       check_fold_over_ = progress && check_fold_over_;
       progress = false;
       for (Index e = 0; e < surface_.edge_count(); ++e)
         if (priced_age_[e] == kPutOff && surface_.is_alive(e)) enqueue(e);
-      if (!queue_.advance(reprice)) break;
+      if (!queue_.advance(reprice, fetch)) break;
     }
     const Index edge = queue_.front();
     queue_.pop();
+    fetch_ahead();
     if (!surface_.is_alive(edge)) continue;
     if (priced_age_[edge] != surface_.age(edge)) {
       enqueue(edge);

@@ -9,6 +9,7 @@
 #include "limber/base/mesh.h"
 #include "limber/base/vec.h"
 #include "limber/contract/cost_queue.h"
+#include "limber/contract/spatial_order.h"
 #include "limber/contract/surface.h"
 #include "limber/contract/vertex_quadrics.h"
 
@@ -48,10 +49,13 @@ class Contractor {
   Vec3f position(Index representative, std::size_t frame) const;
 
  private:
+  Contractor(SpatialMesh placed, std::span<const std::span<const Vec3f>> frames, const ContractOptions& options);
+
   static constexpr Index kPutOff = kNone;  // refused as its surroundings are now; not in the queue
 
   float cost(Index edge) const;
   void enqueue(Index edge);
+  void fetch_ahead() const;
   bool folds_over(Index edge);
   void apply(Index edge);
 

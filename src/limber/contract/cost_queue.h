@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A priority queue of items 0..n-1, cheapest first, ties by item, for costs that mostly grow. Items wait in buckets by
-// the leading bits of their cost; only the cheapest bucket is kept in order, in a small heap. An item that is pushed
-// into a later bucket costs one write, whatever the size of the queue.
+// the leading bits of their cost; only the cheapest bucket is sorted, when its turn comes. An item that is pushed into
+// a later bucket costs one write, whatever the size of the queue, and what comes next is known early enough to fetch
+// it.
 #pragma once
 
 #include <algorithm>
@@ -24,8 +25,8 @@ class CostQueue {
     assert(cost >= 0);
     const std::uint32_t bucket = bucket_of(cost);
     if (bucket <= current_) {
-      heap_.push_back(key(item, cost));
-      std::push_heap(heap_.begin(), heap_.end(), std::greater<>());
+      late_.push_back(key(item, cost));
+      std::push_heap(late_.begin(), late_.end(), std::greater<>());
       return;
     }
     cost_[item] = cost;
@@ -33,37 +34,50 @@ class CostQueue {
     buckets_[bucket] = item;
   }
 
-  // Makes front() and pop() valid; false when the queue is empty. Where items come out of a bucket, `reprice(item)`
-  // gives their cost as it is now, not below the one they were pushed with, or a negative number to drop them.
-  template <class Reprice>
-  bool advance(Reprice&& reprice) {
-    while (heap_.empty()) {
+  // Makes front() and pop() valid; false when the queue is empty. Where items come out of a bucket, `reprice(item,
+  // old)` gives their cost as it is now, not below the one they were pushed with, or a negative number to drop them;
+  // `fetch(item)` is called some items ahead of it.
+  template <class Reprice, class Fetch>
+  bool advance(Reprice&& reprice, Fetch&& fetch) {
+    while (sorted_.empty() && late_.empty()) {
       while (current_ < kBucketCount && buckets_[current_] == kNone) ++current_;
       if (current_ == kBucketCount) {
         current_ = 0;
         return false;
       }
-      Index item = buckets_[current_];
+      taken_.clear();
+      for (Index item = buckets_[current_]; item != kNone; item = next_[item]) taken_.push_back(item);
       buckets_[current_] = kNone;
-      while (item != kNone) {
-        const Index following = next_[item];
+      constexpr std::size_t kAhead = 6;
+      for (std::size_t i = 0; i < taken_.size(); ++i) {
+        if (i + kAhead < taken_.size()) fetch(taken_[i + kAhead]);
+        const Index item = taken_[i];
         const float cost = reprice(item, cost_[item]);
-        if (cost >= 0 && bucket_of(cost) <= current_)
-          heap_.push_back(key(item, cost));
-        else if (cost >= 0)
+        if (cost < 0) continue;
+        if (bucket_of(cost) <= current_)
+          sorted_.push_back(key(item, cost));
+        else
           push(item, cost);
-        item = following;
       }
-      std::make_heap(heap_.begin(), heap_.end(), std::greater<>());
+      std::sort(sorted_.begin(), sorted_.end(), std::greater<>());
     }
     return true;
   }
 
   // Precondition for both: advance() was true, and nothing has been popped since.
-  Index front() const { return static_cast<Index>(heap_.front()); }
+  Index front() const { return static_cast<Index>(late_first() ? late_.front() : sorted_.back()); }
   void pop() {
-    std::pop_heap(heap_.begin(), heap_.end(), std::greater<>());
-    heap_.pop_back();
+    if (late_first()) {
+      std::pop_heap(late_.begin(), late_.end(), std::greater<>());
+      late_.pop_back();
+    } else {
+      sorted_.pop_back();
+    }
+  }
+
+  // An item that is likely to come `ahead` pops from now (0: the next); kNone if not known.
+  Index upcoming(std::size_t ahead) const {
+    return ahead < sorted_.size() ? static_cast<Index>(sorted_[sorted_.size() - 1 - ahead]) : kNone;
   }
 
  private:
@@ -74,15 +88,18 @@ class CostQueue {
   static std::uint32_t bucket_of(float cost) {
     return std::min(std::bit_cast<std::uint32_t>(cost) >> kDroppedBits, kBucketCount - 1);
   }
+  bool late_first() const { return !late_.empty() && (sorted_.empty() || late_.front() < sorted_.back()); }
   static std::uint64_t key(Index item, float cost) {
     return std::uint64_t{std::bit_cast<std::uint32_t>(cost)} << 32 | item;
   }
 
-  std::vector<Index> buckets_;  // [kBucketCount]: the first item of a list
-  std::vector<Index> next_;     // [item_count]
-  std::vector<float> cost_;     // [item_count]
-  std::vector<std::uint64_t> heap_;
-  std::uint32_t current_ = 0;  // the bucket that is in the heap
+  std::vector<Index> buckets_;         // [kBucketCount]: the first item of a list
+  std::vector<Index> next_;            // [item_count]
+  std::vector<float> cost_;            // [item_count]
+  std::vector<std::uint64_t> sorted_;  // the current bucket, cheapest last
+  std::vector<std::uint64_t> late_;    // a heap: what was pushed into the current bucket or an earlier one
+  std::vector<Index> taken_;           // scratch
+  std::uint32_t current_ = 0;          // the bucket that is in sorted_
 };
 
 }  // namespace limber

@@ -15,9 +15,7 @@ std::uint32_t spread(std::uint32_t bits) {
   return (bits | bits << 2) & 0x09249249u;
 }
 
-}  // namespace
-
-std::vector<Index> spatial_order(std::span<const Vec3f> positions) {
+std::vector<Index> order_along_curve(std::span<const Vec3f> positions) {
   Box box;
   for (const Vec3f& p : positions) box.add(static_cast<Vec3d>(p));
   const Vec3d extent = box.empty() ? Vec3d{} : box.high - box.low;
@@ -45,15 +43,18 @@ std::vector<Index> spatial_order(std::span<const Vec3f> positions) {
   return order;
 }
 
-Mesh renumbered(const Mesh& mesh, std::span<const Index> order, std::vector<Index>& places) {
-  places.resize(order.size());
-  for (Index i = 0; i < order.size(); ++i) places[order[i]] = i;
-  std::vector<std::size_t> begin(order.size() + 1, 0);
-  for (const Triangle& t : mesh.triangles) ++begin[places[t[0]] + 1];
-  for (std::size_t i = 0; i < order.size(); ++i) begin[i + 1] += begin[i];
-  Mesh out{mesh.vertex_count, std::vector<Triangle>(mesh.triangles.size())};
+}  // namespace
+
+SpatialMesh in_spatial_order(const Mesh& mesh, std::span<const Vec3f> positions) {
+  SpatialMesh out{order_along_curve(positions),
+                  std::vector<Index>(mesh.vertex_count),
+                  {mesh.vertex_count, std::vector<Triangle>(mesh.triangles.size())}};
+  for (Index i = 0; i < mesh.vertex_count; ++i) out.places[out.order[i]] = i;
+  std::vector<std::size_t> begin(mesh.vertex_count + std::size_t{1}, 0);
+  for (const Triangle& t : mesh.triangles) ++begin[out.places[t[0]] + 1];
+  for (Index i = 0; i < mesh.vertex_count; ++i) begin[i + 1] += begin[i];
   for (const Triangle& t : mesh.triangles)
-    out.triangles[begin[places[t[0]]]++] = {places[t[0]], places[t[1]], places[t[2]]};
+    out.mesh.triangles[begin[out.places[t[0]]]++] = {out.places[t[0]], out.places[t[1]], out.places[t[2]]};
   return out;
 }
 

@@ -10,12 +10,14 @@
 
 namespace limber {
 
-// The vertices along a Z-order curve (Morton 1966) through a grid of 1024 cells a side on their bounding box, vertices
-// of one cell by index: the vertex that stands at each place. Positions finite.
-std::vector<Index> spatial_order(std::span<const Vec3f> positions);
+struct SpatialMesh {
+  std::vector<Index> order;   // [vertex_count]: the input's vertex that stands at each place
+  std::vector<Index> places;  // [vertex_count]: the inverse
+  Mesh mesh;                  // corners are places; triangles stand by their first corner
+};
 
-// The mesh with vertex order[i] called i. Triangles keep their corners' order and stand by the first corner.
-// `places`, overwritten, is the inverse of `order`.
-Mesh renumbered(const Mesh& mesh, std::span<const Index> order, std::vector<Index>& places);
+// The vertices along a Z-order curve (Morton 1966) through a grid of 1024 cells a side on their bounding box, vertices
+// of one cell by index. positions: [vertex_count], finite.
+SpatialMesh in_spatial_order(const Mesh& mesh, std::span<const Vec3f> positions);
 
 }  // namespace limber

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "limber/contract/surface.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "limber/contract/edges.h"
@@ -19,29 +20,52 @@ Index opposite(const Triangle& t, Index u, Index v) {
 }  // namespace
 
 Surface::Surface(const Mesh& mesh) : vertices_(mesh.vertex_count), triangles_(mesh.triangles.size()) {
-  for (auto t = static_cast<Index>(triangles_.size()); t-- > 0;) {
-    triangles_[t] = {mesh.triangles[t], {kNone, kNone, kNone}};
-    if (is_degenerate(mesh.triangles[t])) {
-      triangles_[t].corners[0] = kNone;
-      continue;
-    }
-    for (Index i = 3; i-- > 0;) {
-      Link& list = vertices_[mesh.triangles[t][i]].corners;
-      if (list.head == kNone) list.tail = 3 * t + i;
-      triangles_[t].next[i] = list.head;
-      list.head = 3 * t + i;
-    }
-  }
   const Edges edges = find_edges(mesh);
   edges_.resize(edges.ends.size());
-  for (auto e = static_cast<Index>(edges_.size()); e-- > 0;) {
-    edges_[e] = {edges.ends[e], {kNone, kNone}, edges.triangle_count[e]};
-    for (Index i = 2; i-- > 0;) {
-      Link& list = vertices_[edges_[e].ends[i]].half_edges;
-      if (list.head == kNone) list.tail = 2 * e + i, ++vertex_count_;
-      edges_[e].next[i] = list.head;
-      list.head = 2 * e + i;
-    }
+  for (Index e = 0; e < edges_.size(); ++e) {
+    edges_[e] = {edges.ends[e], edges.triangle_count[e]};
+    for (const Index end : edges.ends[e]) ++vertices_[end].edges.count;
+  }
+  for (Index t = 0; t < triangles_.size(); ++t) {
+    triangles_[t].corners = mesh.triangles[t];
+    if (is_degenerate(mesh.triangles[t]))
+      triangles_[t].corners[0] = kNone;
+    else
+      for (const Index corner : mesh.triangles[t]) ++vertices_[corner].triangles.count;
+  }
+  Index triangle_total = 0, edge_total = 0;
+  for (VertexRecord& v : vertices_) {
+    v.triangles.begin = triangle_total;
+    v.edges.begin = edge_total;
+    triangle_total += v.triangles.count;
+    edge_total += v.edges.count;
+    vertex_count_ += v.edges.count > 0;
+    v.triangles.count = v.edges.count = 0;
+  }
+  triangles_of_.resize(triangle_total);
+  edges_of_.resize(edge_total);
+  const auto append = [](Run& run, std::vector<Index>& items, Index item) { items[run.begin + run.count++] = item; };
+  for (Index t = 0; t < triangles_.size(); ++t)
+    if (triangles_[t].corners[0] != kNone)
+      for (const Index corner : triangles_[t].corners) append(vertices_[corner].triangles, triangles_of_, t);
+  for (Index e = 0; e < edges_.size(); ++e)
+    for (const Index end : edges_[e].ends) append(vertices_[end].edges, edges_of_, e);
+}
+
+void Surface::fetch_runs(Index edge) const {
+  if (!is_alive(edge)) return;
+  for (const Index end : ends(edge)) {
+    __builtin_prefetch(&triangles_of_[vertices_[end].triangles.begin]);
+    __builtin_prefetch(&edges_of_[vertices_[end].edges.begin]);
+  }
+}
+
+void Surface::fetch_records(Index edge) const {
+  if (!is_alive(edge)) return;
+  for (const Index end : ends(edge)) {
+    const auto& [triangles, edges, count, mark, marked_edge] = vertices_[end];
+    for (Index i = 0; i < triangles.count; ++i) __builtin_prefetch(&triangles_[triangles_of_[triangles.begin + i]]);
+    for (Index i = 0; i < edges.count; ++i) __builtin_prefetch(&edges_[edges_of_[edges.begin + i]]);
   }
 }
 
@@ -130,20 +154,19 @@ void Surface::contract(Index edge) {
 
   VertexRecord& stays = vertices_[u];
   VertexRecord& goes = vertices_[v];
-  if (goes.corners.head != kNone) {
-    (stays.corners.head == kNone ? stays.corners.head
-                                 : triangles_[stays.corners.tail / 3].next[stays.corners.tail % 3]) = goes.corners.head;
-    stays.corners.tail = goes.corners.tail;
-  }
-  if (goes.half_edges.head != kNone) {
-    (stays.half_edges.head == kNone ? stays.half_edges.head
-                                    : edges_[stays.half_edges.tail / 2].next[stays.half_edges.tail % 2]) =
-        goes.half_edges.head;
-    stays.half_edges.tail = goes.half_edges.tail;
-  }
-  goes.corners = goes.half_edges = {};
+  join(stays.triangles, goes.triangles, triangles_of_);
+  join(stays.edges, goes.edges, edges_of_);
   stays.contraction_count += goes.contraction_count + 1;
   --vertex_count_;
+}
+
+void Surface::join(Run& stays, Run& goes, std::vector<Index>& items) {
+  const auto begin = static_cast<Index>(items.size());
+  items.resize(items.size() + stays.count + goes.count);
+  std::copy_n(items.begin() + stays.begin, stays.count, items.begin() + begin);
+  std::copy_n(items.begin() + goes.begin, goes.count, items.begin() + begin + stays.count);
+  stays = {begin, stays.count + goes.count};
+  goes = {};
 }
 
 }  // namespace limber

@@ -2,9 +2,9 @@
 // A mesh under edge contraction: a 2-complex of vertices, edges and triangles that need not be manifold. Edges
 // live on when all their triangles have degenerated (docs/design.md, "A level is a 2-complex").
 //
-// Triangles and edges are listed around their vertices by links inside the triangle and edge records; what is dead
-// leaves a list when the list is walked. Records, not arrays of fields: a contraction visits a random handful of
-// neighbours, and one cache line each is what it costs.
+// Each vertex lists its triangles and edges in a run of one array; a contraction writes the run of the vertex that
+// stays anew at the end of it, and what is dead leaves a run when the run is walked. Runs and records, not links and
+// arrays of fields: a contraction visits a random handful of neighbours, and waiting for memory is what it costs.
 #pragma once
 
 #include <array>
@@ -38,6 +38,17 @@ class Surface {
   template <class Visit>
   void for_each_triangle(Index v, Visit&& visit);
 
+  // Ask for the memory that contracting an edge will need, in three steps, each some time before the next: where its
+  // ends list things, what they list, and the vertices around them, for which visit(vertex) is called too. The edge may
+  // be dead.
+  void fetch_runs(Index edge) const;
+  void fetch_records(Index edge) const;
+  template <class Visit>
+  void fetch_neighbours(Index edge, Visit&& visit) const;
+  // For age() of the edge: its ends; visit(vertex) as above.
+  template <class Visit>
+  void fetch_ends(Index edge, Visit&& visit) const;
+
   // Whether the contraction of a living edge keeps the surface homeomorphic: the link condition of Dey,
   // Edelsbrunner, Guha & Nekhayev 1998, where borders and non-manifold edges are joined to one vertex outside.
   bool keeps_topology(Index edge);
@@ -47,22 +58,21 @@ class Surface {
   void contract(Index edge);
 
  private:
-  struct Link {
-    Index head = kNone, tail = kNone;
+  struct Run {
+    Index begin = 0, count = 0;
   };
   struct VertexRecord {
-    Link corners, half_edges;     // a corner is 3 x triangle + 0..2, a half-edge 2 x edge + 0..1
+    Run triangles;                // of triangles_of_
+    Run edges;                    // of edges_of_
     Index contraction_count = 0;  // vertices taken in
     Index mark = 0;               // scratch: marked when == stamp_
     Index marked_edge = kNone;    // scratch: the edge that the mark came over
   };
   struct TriangleRecord {
     Triangle corners;  // corners[0] is kNone in a dead one
-    std::array<Index, 3> next;
   };
   struct EdgeRecord {
     std::array<Index, 2> ends;  // ends[0] is kNone in a dead one
-    std::array<Index, 2> next;  // half-edge i is listed at ends[i]
     Index triangle_count = 0;   // living triangles on the edge
   };
 
@@ -70,52 +80,71 @@ class Surface {
   bool is_singular(Index edge) const { return edges_[edge].triangle_count != 2; }
   // How many different vertices lie across the edge uv in its triangles. Marks them for has_edge_across.
   Index count_across(Index u, Index v);
+  // Appends the run of the vertex that goes to that of the one that stays, at the end of the array.
+  static void join(Run& stays, Run& goes, std::vector<Index>& items);
   // Whether a triangle of u has an edge between two marked vertices.
   bool has_edge_across(Index u, Index v);
 
   std::vector<VertexRecord> vertices_;
   std::vector<TriangleRecord> triangles_;
   std::vector<EdgeRecord> edges_;
+  std::vector<Index> triangles_of_, edges_of_;  // runs, one per vertex, and what they leave behind
   Index vertex_count_ = 0;
   Index stamp_ = 0;
 };
 
 template <class Visit>
-void Surface::for_each_edge(Index v, Visit&& visit) {
-  Link& list = vertices_[v].half_edges;
-  Index* link = &list.head;
-  Index last = kNone;
-  while (*link != kNone) {
-    const Index h = *link;
-    EdgeRecord& edge = edges_[h / 2];
-    if (edge.ends[0] == kNone) {
-      *link = edge.next[h % 2];
-      continue;
+void Surface::fetch_neighbours(Index edge, Visit&& visit) const {
+  if (!is_alive(edge)) return;
+  for (const Index end : ends(edge)) {
+    const Run& run = vertices_[end].triangles;
+    for (Index i = 0; i < run.count; ++i) {
+      const Triangle& corners = triangles_[triangles_of_[run.begin + i]].corners;
+      if (corners[0] == kNone) continue;
+      for (const Index corner : corners) {
+        __builtin_prefetch(&vertices_[corner]);
+        visit(corner);
+      }
     }
-    visit(h / 2, edge.ends[1 - h % 2]);
-    last = h;
-    link = &edge.next[h % 2];
   }
-  list.tail = last;
+}
+
+template <class Visit>
+void Surface::fetch_ends(Index edge, Visit&& visit) const {
+  if (!is_alive(edge)) return;
+  for (const Index end : ends(edge)) {
+    __builtin_prefetch(&vertices_[end]);
+    visit(end);
+  }
+}
+
+template <class Visit>
+void Surface::for_each_edge(Index v, Visit&& visit) {
+  Run& run = vertices_[v].edges;
+  Index* const items = edges_of_.data() + run.begin;
+  Index living = 0;
+  for (Index i = 0; i < run.count; ++i) {
+    const Index e = items[i];
+    const std::array<Index, 2>& ends = edges_[e].ends;
+    if (ends[0] == kNone) continue;
+    items[living++] = e;
+    visit(e, ends[0] == v ? ends[1] : ends[0]);
+  }
+  run.count = living;
 }
 
 template <class Visit>
 void Surface::for_each_triangle(Index v, Visit&& visit) {
-  Link& list = vertices_[v].corners;
-  Index* link = &list.head;
-  Index last = kNone;
-  while (*link != kNone) {
-    const Index corner = *link;
-    TriangleRecord& record = triangles_[corner / 3];
-    if (record.corners[0] == kNone) {
-      *link = record.next[corner % 3];
-      continue;
-    }
-    visit(corner / 3);
-    last = corner;
-    link = &record.next[corner % 3];
+  Run& run = vertices_[v].triangles;
+  Index* const items = triangles_of_.data() + run.begin;
+  Index living = 0;
+  for (Index i = 0; i < run.count; ++i) {
+    const Index t = items[i];
+    if (triangles_[t].corners[0] == kNone) continue;
+    items[living++] = t;
+    visit(t);
   }
-  list.tail = last;
+  run.count = living;
 }
 
 }  // namespace limber
