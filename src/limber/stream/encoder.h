@@ -25,9 +25,9 @@ struct EncoderOptions {
   bool lossless = false;            // every float as it was, bit by bit; `tolerance` is then unused
   std::uint32_t key_interval = 64;  // every so many frames one that can be decoded alone; >= 1
   std::uint32_t first_frame_number = 0;
-  double frames_per_second = 24.0;           // finite, > 0
+  double frames_per_second = 24.0;                          // finite, > 0
   std::optional<std::uint32_t> frame_count = std::nullopt;  // where known
-  bool manifold_kept = true;                 // the hierarchies keep invariant `manifold-kept`
+  bool manifold_kept = true;                                // the hierarchies keep invariant `manifold-kept`
 };
 
 class Encoder {
