@@ -69,14 +69,15 @@ void ResidualStatistics::update() {
 }
 
 ResidualReader::ResidualReader(std::span<const std::byte> bytes, ResidualStatistics& statistics)
-    : statistics_(statistics), bits_({}) {
+    : statistics_(statistics) {
   if (bytes.size() < kStatesSize) return;
-  for (std::size_t axis = 0; axis < 3; ++axis) states_[axis] = load_little_endian<std::uint32_t>(&bytes[4 * axis]);
   const std::size_t word_count = load_little_endian<std::uint32_t>(&bytes[12]);
   if (word_count > (bytes.size() - kStatesSize) / 2) return;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    cursor_.states[axis] = load_little_endian<std::uint32_t>(&bytes[4 * axis]);
   words_ = bytes.data() + kStatesSize;
   word_count_ = word_count;
-  bits_ = BitReader(bytes.subspan(kStatesSize + 2 * word_count));
+  cursor_.bits = BitReader(bytes.subspan(kStatesSize + 2 * word_count));
 }
 
 Lattice ResidualWriter::code(const Activity& activity, const Lattice& residuals) {
