@@ -40,8 +40,8 @@ TEST(RangeCoder, CarriesThroughLongRunsOfFullBytes) {
     for (int i = 0; i < 300; ++i) {
       bits.push_back(random() % 64 != 0 || i % 100 > 90 ? 1 : 0);
       encoder.bit(writing, bits.back());
-      const unsigned count = random() % 17;
-      plain.emplace_back(count, count == 0 ? 0 : (1u << count) - 1 - (random() % 3 == 0 ? 1 : 0));
+      const auto count = static_cast<unsigned>(random() % 17);
+      plain.emplace_back(count, count == 0 ? 0 : (1u << count) - 1 - (random() % 3 == 0 ? 1u : 0u));
       encoder.plain(plain.back().first, plain.back().second);
     }
     const auto bytes = encoder.finish();

@@ -11,7 +11,9 @@ TEST(Residuals, EveryMagnitudeBelongsToTheClassThatHoldsIt) {
   for (std::uint32_t magnitude = 0; magnitude < 5000; ++magnitude) {
     const int c = class_of(magnitude);
     ASSERT_GE(magnitude, kClasses[static_cast<std::size_t>(c)].first);
-    if (c < kEscapeClass) ASSERT_LT(magnitude, kClasses[static_cast<std::size_t>(c) + 1].first);
+    if (c < kEscapeClass) {
+      ASSERT_LT(magnitude, kClasses[static_cast<std::size_t>(c) + 1].first);
+    }
   }
   EXPECT_EQ(class_of(0x80000000u), kEscapeClass);
 }

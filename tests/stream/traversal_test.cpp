@@ -43,7 +43,9 @@ TEST(Traversal, PredictsFromEarlierPlacesWithWeightsOfSumOne) {
       EXPECT_LT(traversal.sources.data[s], place);
       sum += traversal.key_weights[s];
     }
-    if (place > 0) EXPECT_EQ(sum, 256);
+    if (place > 0) {
+      EXPECT_EQ(sum, 256);
+    }
   }
 }
 

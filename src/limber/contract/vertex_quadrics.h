@@ -17,7 +17,7 @@ struct QuadricOptions {
   double border_weight = 1.0;
   // Weight of the squared distance to the vertex itself against that to its planes, > 0: what keeps every minimum
   // unique, in flat and folded regions too (docs/design.md, "Placement").
-  double point_weight = 1e-4;
+  double point_weight = 1e-5;
 };
 
 // A similarity that brings a frame near the origin and to about unit size, where the arithmetic of quadrics loses

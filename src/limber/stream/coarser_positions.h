@@ -64,7 +64,10 @@ void CoarserPositions::code(bool key, std::int16_t past, std::span<const Index> 
   std::uint32_t neighborhood = 0;  // four times a running mean of the magnitudes
   for (Index i = 0; i < now_.size(); ++i) {
     Node& node = nodes_[i];
-    if (key) node = {};
+    if (key) {
+      node = {};
+      now_[i] = {};
+    }
     const Children& children = children_[i];
     Lattice64 mean{}, predicted{};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -72,7 +75,10 @@ void CoarserPositions::code(bool key, std::int16_t past, std::span<const Index> 
       const std::int64_t turn = (node.offset[k] - node.offset_before[k]) * past;
       predicted[k] = mean[k] + node.offset[k] + ((turn + (1 << (kFactorBits - 1))) >> kFactorBits);
     }
-    if (children.count == 0) node.offset = mean = {now_[i][0], now_[i][1], now_[i][2]}, predicted = mean;
+    if (children.count == 0) {
+      node.offset = {};
+      predicted = mean;
+    }
     Lattice target{};
     if constexpr (Coder::kEncodes) target = actual(vertex_count + i);
     // Twelfths: the running mean holds four nodes' sums of three axes.

@@ -71,7 +71,7 @@ Result<Mesh> read_mesh(std::span<const std::byte> payload, std::uint64_t offset,
   mesh.vertex_count = vertex_count;
   mesh.triangles.resize(triangle_count);
   RangeDecoder coder(payload);
-  MeshCoding<RangeDecoder> coding(coder, vertex_count);
+  MeshCoding<RangeDecoder> coding(coder, vertex_count, triangle_count);
   for (Triangle& triangle : mesh.triangles)
     if (!coding.code(triangle)) return bad(offset, "the mesh names a vertex beyond the last");
   return mesh;

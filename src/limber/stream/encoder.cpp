@@ -84,7 +84,7 @@ std::vector<std::byte> header_payload(const StreamHeader& header, std::size_t tr
 // Padded, so that a reader may allocate in proportion to the bytes present.
 std::vector<std::byte> mesh_payload(const Mesh& mesh, Index node_count) {
   RangeEncoder coder;
-  MeshCoding<RangeEncoder> coding(coder, mesh.vertex_count);
+  MeshCoding<RangeEncoder> coding(coder, mesh.vertex_count, mesh.triangles.size());
   for (Triangle triangle : mesh.triangles) coding.code(triangle);
   std::vector<std::byte> payload = coder.finish();
   const std::uint64_t least = (node_count + mesh.triangles.size() + kMostPerMeshByte - 1) / kMostPerMeshByte;

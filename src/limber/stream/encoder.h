@@ -25,9 +25,9 @@ struct EncoderOptions {
   bool lossless = false;            // every float as it was, bit by bit; `tolerance` is then unused
   std::uint32_t key_interval = 64;  // every so many frames one that can be decoded alone; >= 1
   std::uint32_t first_frame_number = 0;
-  double frames_per_second = 24.0;           // finite, > 0
+  double frames_per_second = 24.0;                          // finite, > 0
   std::optional<std::uint32_t> frame_count = std::nullopt;  // where known
-  bool manifold_kept = true;                 // the hierarchies keep invariant `manifold-kept`
+  bool manifold_kept = true;                                // the hierarchies keep invariant `manifold-kept`
 };
 
 class Encoder {
@@ -45,7 +45,7 @@ class Encoder {
   // Writes the next frame. `hierarchy` is as it is at this frame; `net_swaps` leads to it from the frame before:
   // each node at most once, in any order, every one a change (ignored at key frames). `positions` and `errors`
   // are [node_count], errors finite and >= 0. Frame 0, every key_interval-th frame and, with `force_key`, this
-  // frame are keys. Decoded errors are within 5 % of these, 0 stays 0; those of finest vertices are taken to be 0.
+  // frame are keys. Decoded errors are within 1/16 of these, 0 stays 0; those of finest vertices are taken to be 0.
   // Errors: those of the sink; kBadInput for a position that is not finite; kUnsupported for one so far away
   // that the tolerance cannot be kept.
   Result<void> add(const Hierarchy& hierarchy, std::span<const Swap> net_swaps, std::span<const Vec3f> positions,

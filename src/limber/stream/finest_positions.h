@@ -61,16 +61,18 @@ class FinestPositions {
   std::span<const std::int16_t> motion_weights();
 
  private:
-  // What a vertex tells those predicted from it. Four numbers where three are meant: whole vector registers.
+  // What a vertex tells those predicted from it.
   struct Trace {
-    std::array<std::int32_t, 4> motion{};     // here * d - before * v, kept within +-kMostMotion
-    std::array<std::uint32_t, 4> activity{};  // per axis: the residual's magnitude there and on all axes together;
-                                              // until the vertex is coded, of the frame before
+    std::array<std::int32_t, 3> motion{};  // here * d - before * v, kept within +-kMostMotion
+    std::uint64_t activity = 0;            // per axis, in kActivityBits each: the residual's magnitude there and on all
+                                           // axes together; until the vertex is coded, of the frame before
   };
 
+  // Three sums in one register: of at most kMostSources + 1 times 4 * kMostMagnitude.
+  static constexpr unsigned kActivityBits = 21;
+
   template <class Coder, class Actual>
-  void code_vertex(Index place, const Lattice64& predicted, const std::array<std::uint32_t, 4>& activity, Coder& coder,
-                   Actual& actual);
+  void code_vertex(Index place, const Lattice64& predicted, std::uint64_t activity, Coder& coder, Actual& actual);
 
   const Traversal& traversal_;
   std::vector<Lattice> now_, before_;
@@ -85,14 +87,14 @@ void FinestPositions::code_key(Coder& coder, Actual&& actual) {
   const auto& begin = traversal_.sources.begin;
   for (Index i = 0; i < now_.size(); ++i) {
     Lattice64 predicted{};
-    std::array<std::uint32_t, 4> activity{};
+    std::uint64_t activity = 0;
     for (Index s = begin[i]; s < begin[i + 1]; ++s) {
       const Index source = traversal_.sources.data[s];
       for (std::size_t k = 0; k < 3; ++k) predicted[k] += std::int64_t{now_[source][k]} * traversal_.key_weights[s];
-      for (std::size_t k = 0; k < 4; ++k) activity[k] += traces_[source].activity[k];
+      activity += traces_[source].activity;
     }
     for (std::size_t k = 0; k < 3; ++k) predicted[k] = (predicted[k] + (1 << (kWeightBits - 1))) >> kWeightBits;
-    traces_[i].activity = {};
+    traces_[i].activity = 0;
     code_vertex(i, predicted, activity, coder, actual);
   }
   before_ = now_;
@@ -111,12 +113,12 @@ void FinestPositions::code_step(const MotionFactors& factors, Coder& coder, Actu
       velocity[k] = std::int64_t{last[k]} - before_[i][k];
       predicted[k] = velocity[k] * past + (1 << (kBits - 1));
     }
-    std::array<std::uint32_t, 4> activity = traces_[i].activity;
+    std::uint64_t activity = traces_[i].activity;
     for (Index s = begin[i]; s < begin[i + 1]; ++s) {
       const Trace& source = traces_[traversal_.sources.data[s]];
       const std::int64_t weight = weights[s];
       for (std::size_t k = 0; k < 3; ++k) predicted[k] += source.motion[k] * weight;
-      for (std::size_t k = 0; k < 4; ++k) activity[k] += source.activity[k];
+      activity += source.activity;
     }
     for (std::size_t k = 0; k < 3; ++k) predicted[k] = last[k] + (predicted[k] >> kBits);
     code_vertex(i, predicted, activity, coder, actual);
@@ -130,8 +132,8 @@ void FinestPositions::code_step(const MotionFactors& factors, Coder& coder, Actu
 
 // How large a residual is to be expected: the mean of what was met at the sources and, at t-1, here.
 template <class Coder, class Actual>
-void FinestPositions::code_vertex(Index place, const Lattice64& predicted, const std::array<std::uint32_t, 4>& activity,
-                                  Coder& coder, Actual& actual) {
+void FinestPositions::code_vertex(Index place, const Lattice64& predicted, std::uint64_t activity, Coder& coder,
+                                  Actual& actual) {
   const std::size_t weight = 4 * (traversal_.sources.begin[place + 1] - traversal_.sources.begin[place] + 1);
   Lattice residuals{};
   if constexpr (Coder::kEncodes) {
@@ -140,15 +142,17 @@ void FinestPositions::code_vertex(Index place, const Lattice64& predicted, const
       residuals[k] =
           static_cast<std::int32_t>(static_cast<std::uint32_t>(target[k]) - static_cast<std::uint32_t>(predicted[k]));
   }
-  residuals = coder.code(
-      {quadruple_mean(activity[0], weight), quadruple_mean(activity[1], weight), quadruple_mean(activity[2], weight)},
-      residuals);
+  constexpr std::uint64_t kMask = (1u << kActivityBits) - 1;
+  residuals =
+      coder.code({quadruple_mean(activity & kMask, weight), quadruple_mean((activity >> kActivityBits) & kMask, weight),
+                  quadruple_mean(activity >> (2 * kActivityBits), weight)},
+                 residuals);
   for (std::size_t k = 0; k < 3; ++k)
     now_[place][k] =
         static_cast<std::int32_t>(static_cast<std::uint32_t>(predicted[k]) + static_cast<std::uint32_t>(residuals[k]));
-  const std::uint32_t x = counted_magnitude(residuals[0]), y = counted_magnitude(residuals[1]),
+  const std::uint64_t x = counted_magnitude(residuals[0]), y = counted_magnitude(residuals[1]),
                       z = counted_magnitude(residuals[2]);
-  traces_[place].activity = {2 * x + y + z, x + 2 * y + z, x + y + 2 * z, 0};
+  traces_[place].activity = (2 * x + y + z) | (x + 2 * y + z) << kActivityBits | (x + y + 2 * z) << (2 * kActivityBits);
 }
 
 }  // namespace limber

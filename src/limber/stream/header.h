@@ -18,7 +18,7 @@ inline constexpr std::uint32_t kStreamVersion = 1;
 struct StreamHeader {
   std::uint32_t version = kStreamVersion;
   std::optional<std::uint32_t> frame_count = std::nullopt;  // where it was known when writing began
-  std::uint32_t first_frame_number = 0;      // the number that the source gave to frame 0
+  std::uint32_t first_frame_number = 0;                     // the number that the source gave to frame 0
   double frames_per_second = 24.0;
   Vec3d origin;                    // a stored position q, three integers, stands for the point origin + step * q
   double step = 0.0;               // quantisation step in units of the input; 0: lossless, and origin is unused

@@ -88,7 +88,7 @@ MotionFactors best_motion_factors(const Traversal& traversal, FinestPositions& f
   const std::vector<Sample> samples = collect_samples(traversal, finest, actual);
   Factors fitted{0.0, 1.0, 0.0};
   for (int i = 0; i < kIterations; ++i) fitted = weighted_least_squares(samples, fitted);
-  const std::array<Factors, 3> choices{fitted, Factors{0.0, 1.0, 0.0}, Factors{1.0, 1.0, 1.0}};
+  const std::array<Factors, 3> choices{Factors{0.0, 1.0, 0.0}, Factors{1.0, 1.0, 1.0}, fitted};
   const Factors* best = nullptr;
   std::int64_t least = 0;
   for (const Factors& factors : choices) {

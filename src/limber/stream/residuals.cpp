@@ -14,29 +14,34 @@ constexpr std::uint32_t kAssumed = 96;
 
 constexpr std::size_t kStatesSize = 3 * 4 + 4;
 
-}  // namespace
+using Counts = std::array<std::array<std::uint32_t, kClassCount>, kContextCount>;
 
-// A geometric distribution whose mean is the size that the context stands for.
-void ResidualStatistics::reset() {
+// For each context a geometric distribution whose mean is the size that the context stands for.
+constexpr Counts kAssumedCounts = [] {
+  Counts counts{};
   for (std::size_t t = 0; t < kContextCount; ++t) {
-    const std::size_t octave = std::min<std::size_t>(t / 2, 5);  // from there on the shift keeps pace
+    const std::size_t octave = t / 2 < 5 ? t / 2 : 5;  // from there on the shift keeps pace
     const std::uint64_t mean_times_8 = t == 0 ? 1 : ((2 + (t & 1)) << octave) - 1;
     std::uint64_t left = std::uint64_t{1} << 32;  // probability of this magnitude and all above
     std::uint32_t magnitude = 0;
-    for (std::size_t c = 0; c < kClassCount; ++c) {
+    for (std::size_t c = 0; c < kEscapeClass; ++c) {
       std::uint64_t probability = 0;
-      if (c == kEscapeClass) {
-        probability = left;
-      } else {
-        for (const std::uint32_t end = kClasses[c].first + (1u << kClasses[c].bits); magnitude < end; ++magnitude) {
-          const std::uint64_t here = left * 8 / (mean_times_8 + 8);
-          probability += here;
-          left -= here;
-        }
+      for (const std::uint32_t end = kClasses[c].first + (1u << kClasses[c].bits); magnitude < end; ++magnitude) {
+        const std::uint64_t here = left * 8 / (mean_times_8 + 8);
+        probability += here;
+        left -= here;
       }
-      counts_[t][c] = static_cast<std::uint32_t>((probability * kAssumed) >> 32);
+      counts[t][c] = static_cast<std::uint32_t>((probability * kAssumed) >> 32);
     }
+    counts[t][kEscapeClass] = static_cast<std::uint32_t>((left * kAssumed) >> 32);
   }
+  return counts;
+}();
+
+}  // namespace
+
+void ResidualStatistics::reset() {
+  counts_ = kAssumedCounts;
   update();
 }
 
@@ -69,14 +74,15 @@ void ResidualStatistics::update() {
 }
 
 ResidualReader::ResidualReader(std::span<const std::byte> bytes, ResidualStatistics& statistics)
-    : statistics_(statistics), bits_({}) {
+    : statistics_(statistics) {
   if (bytes.size() < kStatesSize) return;
-  for (std::size_t axis = 0; axis < 3; ++axis) states_[axis] = load_little_endian<std::uint32_t>(&bytes[4 * axis]);
   const std::size_t word_count = load_little_endian<std::uint32_t>(&bytes[12]);
   if (word_count > (bytes.size() - kStatesSize) / 2) return;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    cursor_.states[axis] = load_little_endian<std::uint32_t>(&bytes[4 * axis]);
   words_ = bytes.data() + kStatesSize;
   word_count_ = word_count;
-  bits_ = BitReader(bytes.subspan(kStatesSize + 2 * word_count));
+  cursor_.bits = BitReader(bytes.subspan(kStatesSize + 2 * word_count));
 }
 
 Lattice ResidualWriter::code(const Activity& activity, const Lattice& residuals) {

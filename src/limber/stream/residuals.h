@@ -64,15 +64,15 @@ inline ResidualContext residual_context(std::uint32_t activity) {
           level < 12 ? 0u : static_cast<unsigned>(level - 10) / 2};
 }
 
-// Larger residuals count as this where the next are expected: sums stay within 32 bits.
-inline constexpr std::uint32_t kMostMagnitude = 1 << 24;
+// Larger residuals count as this where the next are expected: sums stay within 21 bits.
+inline constexpr std::uint32_t kMostMagnitude = 1 << 15;
 
 inline std::uint32_t counted_magnitude(std::int32_t residual) {
   const auto bits = static_cast<std::uint32_t>(residual);
   return std::min(residual < 0 ? 0u - bits : bits, kMostMagnitude);
 }
 
-// Four times sum / weight, rounded down or one less. Precondition: sum < 2^32, 1 <= weight <= kMostActivityWeight.
+// Four times sum / weight, rounded down or one less. Precondition: sum < 2^44, 1 <= weight <= kMostActivityWeight.
 inline constexpr std::size_t kMostActivityWeight = 40;
 inline constexpr auto kReciprocals = [] {
   std::array<std::uint32_t, kMostActivityWeight + 1> reciprocals{};
@@ -156,56 +156,60 @@ class ResidualReader {
 
   // Gives the residuals on the three axes; `activity`: what to expect on each (residual_context()).
   Lattice code(const Activity& activity, const Lattice& = {}) {
-    // The state is kept in local variables: the counts that are written may not be taken for it.
-    BitReader bits = bits_;
-    std::size_t word_at = word_at_;
-    Lattice residuals;
-    std::array<std::uint8_t, 3> classes;
-    std::array<ResidualContext, 3> contexts;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      contexts[axis] = residual_context(activity[axis]);
-      const auto [table_index, shift] = contexts[axis];
-      const ResidualStatistics::Table& table = statistics_.table(table_index);
-      // No branch but the one for the escape depends on the residual: it could not be foretold.
-      std::uint32_t state = states_[axis];
-      const std::uint32_t slot = state & ((1u << kFrequencyBits) - 1);
-      const std::uint8_t c = classes[axis] = table.class_at[slot];
-      state = table.frequency[c] * (state >> kFrequencyBits) + slot - table.start[c];
-      const bool needs_word = state < (1u << 16);
-      const std::uint32_t word = word_at < word_count_ ? load_little_endian<std::uint16_t>(words_ + 2 * word_at) : 0u;
-      states_[axis] = needs_word ? state << 16 | word : state;
-      word_at += needs_word;
-      bits.fill();
-      std::uint32_t magnitude;
-      if (c == kEscapeClass) [[unlikely]] {
-        magnitude = bits.read(32);
-      } else {
-        const MagnitudeClass magnitude_class = kClasses[c];
-        const unsigned plain = std::min(magnitude_class.bits + shift, 32u);  // more only in bytes of no encoder
-        magnitude = (std::uint32_t{magnitude_class.first} << shift) + bits.read(plain);
-      }
-      const std::uint32_t has_sign = magnitude != 0;
-      const std::uint32_t negative = 0u - (bits.peek() & has_sign);
-      bits.skip(has_sign);
-      residuals[axis] = static_cast<std::int32_t>((magnitude ^ negative) - negative);
-    }
-    for (std::size_t axis = 0; axis < 3; ++axis) statistics_.count(contexts[axis].table, classes[axis]);
-    bits_ = bits;
-    word_at_ = word_at;
-    return residuals;
+    // In local variables: else the counts that are written might be taken for them.
+    Cursor cursor = cursor_;
+    const std::int32_t x = code_axis(activity[0], cursor.states[0], cursor);
+    const std::int32_t y = code_axis(activity[1], cursor.states[1], cursor);
+    const std::int32_t z = code_axis(activity[2], cursor.states[2], cursor);
+    cursor_ = cursor;
+    return {x, y, z};
   }
 
   // Whether all was as an encoder writes it. Call after the last residual.
   bool consistent() const {
-    return word_at_ == word_count_ && states_ == std::array<std::uint32_t, 3>{1u << 16, 1u << 16, 1u << 16};
+    return cursor_.word_at == word_count_ &&
+           cursor_.states == std::array<std::uint32_t, 3>{1u << 16, 1u << 16, 1u << 16};
   }
 
  private:
+  struct Cursor {
+    std::array<std::uint32_t, 3> states{};
+    std::size_t word_at = 0;
+    BitReader bits{{}};
+  };
+
+  // No branch but the one for the escape depends on the residual: it could not be foretold.
+  [[gnu::always_inline]] std::int32_t code_axis(std::uint32_t activity, std::uint32_t& state, Cursor& cursor) {
+    const auto [table_index, shift] = residual_context(activity);
+    const ResidualStatistics::Table& table = statistics_.table(table_index);
+    const std::uint32_t slot = state & ((1u << kFrequencyBits) - 1);
+    const std::uint8_t c = table.class_at[slot];
+    const std::uint32_t wide = table.frequency[c] * (state >> kFrequencyBits) + slot - table.start[c];
+    const bool needs_word = wide < (1u << 16);
+    const std::uint32_t word =
+        cursor.word_at < word_count_ ? load_little_endian<std::uint16_t>(words_ + 2 * cursor.word_at) : 0u;
+    state = needs_word ? wide << 16 | word : wide;
+    cursor.word_at += needs_word;
+    statistics_.count(table_index, c);
+    cursor.bits.fill();
+    std::uint32_t magnitude;
+    if (c == kEscapeClass) [[unlikely]] {
+      magnitude = cursor.bits.read(32);
+    } else {
+      const MagnitudeClass magnitude_class = kClasses[c];
+      const unsigned plain = std::min(magnitude_class.bits + shift, 32u);  // more only in bytes of no encoder
+      magnitude = (std::uint32_t{magnitude_class.first} << shift) + cursor.bits.read(plain);
+    }
+    const std::uint32_t has_sign = magnitude != 0;
+    const std::uint32_t negative = 0u - (cursor.bits.peek() & has_sign);
+    cursor.bits.skip(has_sign);
+    return static_cast<std::int32_t>((magnitude ^ negative) - negative);
+  }
+
   ResidualStatistics& statistics_;
-  std::array<std::uint32_t, 3> states_{};
+  Cursor cursor_;
   const std::byte* words_ = nullptr;
-  std::size_t word_at_ = 0, word_count_ = 0;
-  BitReader bits_;
+  std::size_t word_count_ = 0;
 };
 
 // Numeral systems are last in, first out: classes are kept and coded backwards at the end.
