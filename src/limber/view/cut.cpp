@@ -57,7 +57,8 @@ Cut::Cut(const Mesh& mesh, const Hierarchy& hierarchy, const CutOptions& options
   budget_.reserve(hierarchy);
   find_parts(mesh);
   expanded_.assign(coarse_count, 0);
-  surface_children_.resize(coarse_count);
+  surface_children_.assign(coarse_count, 0);
+  counted_parents_.assign(hierarchy.vertex_count(), kNone);
   vertices_below_.resize(coarse_count);
   part_size_below_.resize(coarse_count);
   is_drawn_.assign(coarse_count, 0);
@@ -97,15 +98,32 @@ void Cut::set_options(const CutOptions& options) {
   if (options.by == CutBy::kError) area_.resize(labels_.size());
 }
 
+// The finest vertices, by far the most, are counted over only where their parents are no longer those counted last; few
+// are from one frame to the next.
+void Cut::count_finest_children(const Hierarchy& hierarchy) {
+  constexpr Index kBlock = 16;
+  const Index base = hierarchy.vertex_count();
+  const Index* parents = hierarchy.parent.data();
+  Index* counted = counted_parents_.data();
+  for (Index begin = 0; begin < base; begin += kBlock) {
+    const Index end = std::min(begin + kBlock, base);
+    if (std::equal(parents + begin, parents + end, counted + begin)) continue;
+    for (Index v = begin; v < end; ++v) {
+      if (counted[v] != kNone) surface_children_[counted[v] - base] -= has_surface_[v];
+      surface_children_[parents[v] - base] += has_surface_[v];
+      counted[v] = parents[v];
+    }
+  }
+}
+
 void Cut::count_children(const Hierarchy& hierarchy) {
   const Index base = hierarchy.vertex_count();
   const Index top_begin = hierarchy.level_begin[hierarchy.level_count() - 1];
-  const Index* parents = hierarchy.parent.data();
-  const std::uint8_t* has_surface = has_surface_.data();
-  std::uint32_t* children = surface_children_.data();
-  std::fill(surface_children_.begin(), surface_children_.end(), 0);
   if (top_begin == 0) return;
-  for (Index v = 0; v < base; ++v) children[parents[v] - base] += has_surface[v];
+  const Index* parents = hierarchy.parent.data();
+  std::uint32_t* children = surface_children_.data();
+  count_finest_children(hierarchy);
+  std::fill(surface_children_.begin() + hierarchy.level_size(1), surface_children_.end(), 0);
   for (Index n = base; n < top_begin; ++n) children[parents[n] - base] += children[n - base] != 0;
   find_drawn(hierarchy);
 }

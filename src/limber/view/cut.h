@@ -75,6 +75,7 @@ class Cut {
 
  private:
   void find_parts(const Mesh& mesh);
+  void count_finest_children(const Hierarchy& hierarchy);
   void count_children(const Hierarchy& hierarchy);
   void find_drawn(const Hierarchy& hierarchy);
   void price_triangles(const Mesh& mesh, const Hierarchy& hierarchy);
@@ -100,6 +101,7 @@ class Cut {
   // Of the frame: [node_count - vertex_count], coarse node n at n - vertex_count.
   std::vector<std::uint8_t> expanded_;  // all that is kept from frame to frame
   std::vector<std::uint32_t> surface_children_;
+  std::vector<Index> counted_parents_;         // [vertex_count]: the parents that surface_children_ was counted with
   std::vector<std::uint32_t> vertices_below_;  // with surface
   std::vector<Index> part_size_below_;
   std::vector<std::uint8_t> is_drawn_;  // can have a triangle while active
