@@ -34,14 +34,14 @@ std::optional<double> parse_number(std::string_view text) {
 
 Vec3d up_vector(UpAxis up) { return up == UpAxis::kY ? Vec3d{0, 1, 0} : Vec3d{0, 0, 1}; }
 
-// The next of 1, 2, 5, 10, ... at or above the value that 98 of 100 do not exceed.
+// The next of 1, 2, 3, 4, 6, 8, 10, 20, ... at or above the value that 98 of 100 do not exceed.
 double range_for(std::vector<float> values) {
   const auto rank = static_cast<std::ptrdiff_t>(values.size() * 98 / 100);
   std::nth_element(values.begin(), values.begin() + rank, values.end());
   const double wanted = values[static_cast<std::size_t>(rank)];
   double decade = 1e-4;
   while (decade * 10 < wanted) decade *= 10;
-  for (const double step : {1.0, 2.0, 5.0}) {
+  for (const double step : {1.0, 2.0, 3.0, 4.0, 6.0, 8.0}) {
     if (decade * step >= wanted) return decade * step;
   }
   return decade * 10;
@@ -53,16 +53,8 @@ std::string thousands(std::size_t count) {
   return digits;
 }
 
-std::size_t count_used_vertices(const Surface& surface) {
-  std::vector<bool> used(surface.positions.size(), false);
-  for (const Triangle& triangle : surface.triangles) {
-    for (const Index corner : triangle) used[corner] = true;
-  }
-  return static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
-}
-
 std::string size_label(const Surface& surface) {
-  return fmt::format("{} vertices, {} triangles", thousands(count_used_vertices(surface)),
+  return fmt::format("{} vertices, {} triangles", thousands(used_vertex_count(surface)),
                      thousands(surface.triangles.size()));
 }
 
