@@ -58,10 +58,18 @@ class SampleReader : public ClipReader {
   std::uint32_t frame_ = 0;
 };
 
+std::string quoted(std::string_view text) {
+  std::string result(1, '"');
+  result.append(text);
+  result.push_back('"');
+  return result;
+}
+
 Error refuse(std::string_view specification, std::string what) {
   return {ErrorCode::kBadInput, std::string(specification),
-          std::move(what) + "; a sample is sample:collapse, sample:gallop, sample:morph or sample:flag, then perhaps "
-                            "?vertices=N&frames=N with 100 to 5000000 vertices and 1 to 100000 frames"};
+          std::move(what) +
+              "; a sample is sample:collapse, sample:gallop, sample:morph or sample:flag, then perhaps "
+              "?vertices=N&frames=N with 100 to 5000000 vertices and 1 to 100000 frames"};
 }
 
 }  // namespace
@@ -75,7 +83,7 @@ Result<std::unique_ptr<ClipReader>> open_sample(std::string_view specification) 
   const std::size_t question = rest.find('?');
   const std::string_view name = rest.substr(0, question);
   const auto sample = std::find_if(kSamples.begin(), kSamples.end(), [&](const Sample& s) { return s.name == name; });
-  if (sample == kSamples.end()) return refuse(specification, "no sample is called \"" + std::string(name) + "\"");
+  if (sample == kSamples.end()) return refuse(specification, "no sample is called " + quoted(name));
 
   std::array<Option, 2> options = {{{"vertices", 100, 5'000'000, 10'000}, {"frames", 1, 100'000, 60}}};
   std::string_view list = question == std::string_view::npos ? std::string_view{} : rest.substr(question + 1);
@@ -86,20 +94,19 @@ Result<std::unique_ptr<ClipReader>> open_sample(std::string_view specification) 
     const std::size_t equals = item.find('=');
     const std::string_view key = item.substr(0, equals);
     const auto option = std::find_if(options.begin(), options.end(), [&](const Option& o) { return o.name == key; });
-    if (option == options.end()) return refuse(specification, "no option is called \"" + std::string(key) + "\"");
-    if (option->is_given) return refuse(specification, "\"" + std::string(key) + "\" is there twice");
+    if (option == options.end()) return refuse(specification, "no option is called " + quoted(key));
+    if (option->is_given) return refuse(specification, quoted(key) + " is there twice");
     const std::string_view digits = equals == std::string_view::npos ? std::string_view{} : item.substr(equals + 1);
     const auto [after, code] = std::from_chars(digits.data(), digits.data() + digits.size(), option->value);
     if (code != std::errc{} || after != digits.data() + digits.size() || option->value < option->low ||
         option->value > option->high) {
-      return refuse(specification, "\"" + std::string(digits) + "\" is no fitting number of " + std::string(key));
+      return refuse(specification, quoted(digits) + " is no fitting number of " + std::string(key));
     }
     option->is_given = true;
     if (end == std::string_view::npos) break;
     list = list.substr(end + 1);
   }
-  return std::unique_ptr<ClipReader>(
-      std::make_unique<SampleReader>(sample->make(options[0].value), options[1].value));
+  return std::unique_ptr<ClipReader>(std::make_unique<SampleReader>(sample->make(options[0].value), options[1].value));
 }
 
 }  // namespace limber

@@ -80,7 +80,7 @@ Vec3d Surface::project(Vec3d point, int step_count) const {
     const double distance = value.distance - (relief != nullptr ? relief->height(point) : 0.0);
     const double steepness2 = std::fmax(squared_length(value.gradient), 0.05);
     point -= value.gradient * (distance / steepness2);
-    if (std::fabs(distance) < 1e-9) break;
+    if (std::fabs(distance) < 1e-7) break;
   }
   return point;
 }

@@ -37,10 +37,10 @@ constexpr JointRow kMiddleJoints[] = {
 
 constexpr JointRow kSideJoints[] = {
     {kShoulder, kChest, {0.15, 1.10, 0.42}, {0.20, 1.49, -0.02}},
-    {kElbow, kShoulder, {0.18, 0.84, 0.34}, {0.42, 1.25, -0.05}},
-    {kKnee, kElbow, {0.175, 0.47, 0.41}, {0.62, 1.05, 0.03}},
-    {kFrontFetlock, kKnee, {0.17, 0.16, 0.40}, {0.685, 0.985, 0.065}},
-    {kFrontToe, kFrontFetlock, {0.17, 0.045, 0.47}, {0.705, 0.965, 0.075}},
+    {kElbow, kShoulder, {0.19, 0.78, 0.36}, {0.37, 1.22, -0.04}},
+    {kKnee, kElbow, {0.175, 0.47, 0.41}, {0.51, 0.99, 0.05}},
+    {kFrontFetlock, kKnee, {0.17, 0.16, 0.40}, {0.555, 0.915, 0.085}},
+    {kFrontToe, kFrontFetlock, {0.17, 0.045, 0.47}, {0.57, 0.89, 0.095}},
     {kHip, kPelvis, {0.13, 1.16, -0.54}, {0.11, 0.97, -0.01}},
     {kStifle, kHip, {0.19, 0.84, -0.42}, {0.14, 0.55, 0.03}},
     {kHock, kStifle, {0.175, 0.51, -0.70}, {0.145, 0.13, -0.03}},
@@ -86,7 +86,7 @@ constexpr FleshRow kMiddleFlesh[] = {
 constexpr FleshRow kSideFlesh[] = {
     {kBreast, kBreast, 0.120, 0.120, 0.090, 0.090, 0.09, 0.9},
     {kHaunch, kHaunch, 0.175, 0.175, 0.105, 0.105, 0.10, 0.9},
-    {kShoulder, kElbow, 0.165, 0.088, 0.088, 0.060, 0.07, 0.8},
+    {kShoulder, kElbow, 0.165, 0.085, 0.088, 0.060, 0.05, 0.8},
     {kElbow, kKnee, 0.085, 0.058, 0.066, 0.042, 0.04, 0.6},
     {kKnee, kFrontFetlock, 0.060, 0.045, 0.040, 0.044, 0.035, 0.5},
     {kFrontFetlock, kFrontToe, 0.047, 0.066, 0.046, 0.050, 0.025, 0.42},
@@ -120,7 +120,7 @@ struct Tables {
 // The hand: four fingers in a fan and a thumb, which lie within the quadruped's hoof.
 void add_hand(Tables& tables) {
   const JointRow toe = tables.joints[static_cast<std::size_t>(side(0, kFrontToe))];
-  constexpr Vec3d kAlong{0.66, -0.66, 0.36}, kAcross{-0.25, 0.27, 0.93};
+  constexpr Vec3d kAlong{0.50, -0.78, 0.37}, kAcross{-0.22, 0.30, 0.93};
   for (int finger = 0; finger < 5; ++finger) {
     const bool thumb = finger == 4;
     const double spread = thumb ? 1.25 : 1.5 - finger;
@@ -152,8 +152,9 @@ Tables make_tables() {
   for (int which = 0; which < 2; ++which) {
     for (const JointRow& row : kSideJoints) {
       // A parent in the table of the sides is one of the same side, except for those of the trunk and the head.
-      const bool in_middle = row.joint == kShoulder || row.joint == kHip || row.joint == kEarBase || row.joint == kEye ||
-                             row.joint == kNostril || row.joint == kCheek || row.joint == kBreast || row.joint == kHaunch;
+      const bool in_middle = row.joint == kShoulder || row.joint == kHip || row.joint == kEarBase ||
+                             row.joint == kEye || row.joint == kNostril || row.joint == kCheek ||
+                             row.joint == kBreast || row.joint == kHaunch;
       tables.joints[static_cast<std::size_t>(side(which, row.joint))] = {
           side(which, row.joint), in_middle ? row.parent : side(which, row.parent),
           which == 0 ? row.quadruped : mirrored(row.quadruped), which == 0 ? row.biped : mirrored(row.biped)};

@@ -36,7 +36,7 @@ struct Corner {
 
 class Extraction {
  public:
-  Extraction(const Grid& grid, SurfaceMesh& out) : grid_(grid), out_(out) {}
+  explicit Extraction(SurfaceMesh& out) : out_(out) {}
 
   void add_tetrahedron(const std::array<Corner, 4>& corners) {
     std::array<int, 4> inside{}, outside{};
@@ -51,9 +51,11 @@ class Extraction {
     };
     const Vec3d& within = corners[static_cast<std::size_t>(inside[0])].point;
     if (inside_count == 1) {
-      add_triangles({cut(inside[0], outside[0]), cut(inside[0], outside[1]), cut(inside[0], outside[2]), kNone}, within);
+      add_triangles({cut(inside[0], outside[0]), cut(inside[0], outside[1]), cut(inside[0], outside[2]), kNone},
+                    within);
     } else if (inside_count == 3) {
-      add_triangles({cut(inside[0], outside[0]), cut(inside[1], outside[0]), cut(inside[2], outside[0]), kNone}, within);
+      add_triangles({cut(inside[0], outside[0]), cut(inside[1], outside[0]), cut(inside[2], outside[0]), kNone},
+                    within);
     } else {
       add_triangles({cut(inside[0], outside[0]), cut(inside[0], outside[1]), cut(inside[1], outside[1]),
                      cut(inside[1], outside[0])},
@@ -87,7 +89,6 @@ class Extraction {
     if (polygon[3] != kNone) add(polygon[0], polygon[2], polygon[3]);
   }
 
-  const Grid& grid_;
   SurfaceMesh& out_;
   std::unordered_map<std::uint64_t, Index> vertices_;
 };
@@ -119,7 +120,7 @@ SurfaceMesh extract_surface(const Surface& surface, double spacing) {
   }
 
   SurfaceMesh result;
-  Extraction extraction(grid, result);
+  Extraction extraction(result);
   constexpr std::size_t kSide = kBlock + 1;
   std::vector<double> values(kSide * kSide * kSide);
   for (int bz = 0; bz < blocks[2]; ++bz) {

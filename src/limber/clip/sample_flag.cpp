@@ -55,7 +55,8 @@ Cloth make_cloth(Index vertex_count) {
     Index low = first_of(row), high = first_of(row + 1);
     const Index low_last = high - 1, high_last = first_of(row + 2) - 1;
     while (low < low_last || high < high_last) {
-      const bool step_low = high == high_last || (low < low_last && distance2(low + 1, high) < distance2(low, high + 1));
+      const bool step_low =
+          high == high_last || (low < low_last && distance2(low + 1, high) < distance2(low, high + 1));
       cloth.mesh.triangles.push_back(step_low ? Triangle{low, low + 1, high} : Triangle{low, high + 1, high});
       ++(step_low ? low : high);
     }
@@ -67,17 +68,18 @@ Cloth make_cloth(Index vertex_count) {
 double angle_at(double along, double across, double time) {
   const double free = along * (1.6 - 0.6 * along) * portable_exp(-0.10 / (along + 0.02));
   const double slant = 0.35 * (across - 0.5);
-  return free * (0.78 * portable_sin(2.0 * kPi * (1.15 * along - 1.30 * time + slant)) +
-                 0.46 * portable_sin(2.0 * kPi * (2.1 * along - 2.15 * time - 0.9 * slant + 0.3)) +
-                 0.30 * portable_sin(2.0 * kPi * (3.7 * along - 3.1 * time + 0.55 * across + 0.1)) +
-                 0.18 * portable_sin(2.0 * kPi * (6.1 * along - 4.3 * time - 0.85 * across)) +
+  return free * (1.05 * portable_sin(2.0 * kPi * (1.15 * along - 1.30 * time + slant)) +
+                 0.66 * portable_sin(2.0 * kPi * (2.1 * along - 2.15 * time - 0.9 * slant + 0.3)) +
+                 0.42 * portable_sin(2.0 * kPi * (3.7 * along - 3.1 * time + 0.55 * across + 0.1)) +
+                 0.24 * portable_sin(2.0 * kPi * (6.1 * along - 4.3 * time - 0.85 * across)) +
                  0.25 * portable_sin(2.0 * kPi * (0.37 * time)));
 }
 
 // Small folds that run out from the two corners at the pole, and flutter at the free end.
 double wrinkle_at(double along, double across, double time) {
   const double up = 1.0 - across;
-  const double top = std::sqrt(along * along * 2.25 + up * up), bottom = std::sqrt(along * along * 2.25 + across * across);
+  const double top = std::sqrt(along * along * 2.25 + up * up),
+               bottom = std::sqrt(along * along * 2.25 + across * across);
   const double from_top = up / (along * 1.5 + 0.06), from_bottom = across / (along * 1.5 + 0.06);
   const double near = std::clamp(along * 12.0, 0.0, 1.0);
   return near * (0.011 * portable_exp(-1.8 * top) * portable_sin(7.0 * from_top / (1.0 + 0.4 * from_top) + 1.5 * time) +
@@ -89,8 +91,8 @@ double wrinkle_at(double along, double across, double time) {
 
 // Cubic interpolation between samples at -1, 0, 1, 2.
 std::array<double, 4> cubic(double t) {
-  return {0.5 * t * (-1.0 + t * (2.0 - t)), 0.5 * (2.0 + t * t * (-5.0 + 3.0 * t)), 0.5 * t * (1.0 + t * (4.0 - 3.0 * t)),
-          0.5 * t * t * (t - 1.0)};
+  return {0.5 * t * (-1.0 + t * (2.0 - t)), 0.5 * (2.0 + t * t * (-5.0 + 3.0 * t)),
+          0.5 * t * (1.0 + t * (4.0 - 3.0 * t)), 0.5 * t * t * (t - 1.0)};
 }
 
 class Flag : public SampleMotion {
@@ -137,7 +139,8 @@ class Flag : public SampleMotion {
     const std::array<double, 4> wx = cubic(x - column), wy = cubic(y - row);
     const auto sample = [&](int i, int j) {
       // Beyond the table's edge it goes on straight.
-      const int ci = std::clamp(i, 0, static_cast<int>(kSteps) - 1), cj = std::clamp(j, 0, static_cast<int>(kThreads) - 1);
+      const int ci = std::clamp(i, 0, static_cast<int>(kSteps) - 1),
+                cj = std::clamp(j, 0, static_cast<int>(kThreads) - 1);
       const auto at = [&](int a, int b) {
         return table[static_cast<std::size_t>(b) * kSteps + static_cast<std::size_t>(a)];
       };

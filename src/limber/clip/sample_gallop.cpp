@@ -122,7 +122,7 @@ class Gallop : public SampleMotion {
     const double trunk = std::clamp((p.y - 0.62) * 4.0, 0.0, 1.0) * std::clamp((p.z + 0.95) * 5.0, 0.0, 1.0) *
                          std::clamp((0.75 - p.z) * 4.0, 0.0, 1.0);
     if (trunk > 0.0) {
-      const double ripple = 0.011 * wave(2.0 * phase - 1.9 * p.z - 0.8 * p.y) + 0.005 * wave(3.0 * phase + 4.5 * p.z);
+      const double ripple = 0.007 * wave(2.0 * phase - 1.9 * p.z - 0.8 * p.y) + 0.005 * wave(3.0 * phase + 4.5 * p.z);
       p += static_cast<Vec3d>(normals_[v]) * (trunk * ripple);
       p.y += 0.030 * trunk * std::clamp((1.15 - p.y) * 3.0, 0.0, 1.0) * wave(phase - 0.1 + 0.2 * p.z);
     }

@@ -12,8 +12,9 @@
 namespace limber {
 namespace {
 
-constexpr double kExtractSpacing = 0.0145;
+constexpr double kExtractSpacing = 0.0165;
 constexpr double kSoftness = 0.022;
+constexpr int kRelaxRounds = 10;
 
 // The map that takes a limb, and the space around it, to another state of the same limb.
 class LimbMap {
@@ -63,11 +64,12 @@ class Morph : public SampleMotion {
     const std::vector<Limb> limbs = creature_between(share).limbs();
     const Body body(limbs);
     const std::vector<LimbMap> maps = maps_to(limbs);
+    const std::vector<Vec3d> places = places_on(body, maps);
     for (std::size_t v = 0; v < positions.size(); ++v) {
-      const Vec3d p = placed(v, maps, body);
+      const Vec3d& p = places[v];
       const Vec3d up = body.at(p).gradient;
-      const double height = static_cast<double>(quadruped_heights_[v]) * (1.0 - share) +
-                            static_cast<double>(biped_heights_[v]) * share;
+      const double height =
+          static_cast<double>(quadruped_heights_[v]) * (1.0 - share) + static_cast<double>(biped_heights_[v]) * share;
       positions[v] = static_cast<Vec3f>(p + up * (height / std::fmax(squared_length(up), 0.2)));
     }
   }
@@ -79,12 +81,31 @@ class Morph : public SampleMotion {
     return maps;
   }
 
-  Vec3d placed(std::size_t v, const std::vector<LimbMap>& maps, const Body& body) const {
-    Vec3d p;
-    for (Index i = skin_.first[v]; i < skin_.first[v + 1]; ++i) {
-      p += maps[skin_.limbs[i]](middle_.positions[v]) * static_cast<double>(skin_.weights[i]);
+  std::vector<Vec3d> places_on(const Body& body, const std::vector<LimbMap>& maps) const {
+    std::vector<Vec3d> places(middle_.positions.size());
+    for (std::size_t v = 0; v < places.size(); ++v) {
+      for (Index i = skin_.first[v]; i < skin_.first[v + 1]; ++i) {
+        places[v] += maps[skin_.limbs[i]](middle_.positions[v]) * static_cast<double>(skin_.weights[i]);
+      }
+      places[v] = Surface{body}.project(places[v], 3);
     }
-    return Surface{body}.project(p, 4);
+    for (int round = 0; round < kRelaxRounds; ++round) relax(body, places);
+    return places;
+  }
+
+  // Towards the middle of the neighbours, along the surface: opens what the limbs fold together where they meet.
+  void relax(const Body& body, std::vector<Vec3d>& places) const {
+    std::vector<Vec3d> sums(places.size());
+    std::vector<double> counts(places.size());
+    for (const Triangle& triangle : middle_.mesh.triangles) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        sums[triangle[i]] += places[triangle[(i + 1) % 3]];
+        counts[triangle[i]] += 1.0;
+      }
+    }
+    for (std::size_t v = 0; v < places.size(); ++v) {
+      places[v] = Surface{body}.project(places[v] + (sums[v] * (1.0 / counts[v]) - places[v]) * 0.6, 1);
+    }
   }
 
   std::vector<float> heights(double share, const Relief& relief) const {
@@ -92,9 +113,7 @@ class Morph : public SampleMotion {
     const Body body(limbs);
     const std::vector<LimbMap> maps = maps_to(limbs);
     std::vector<float> result;
-    for (std::size_t v = 0; v < middle_.positions.size(); ++v) {
-      result.push_back(static_cast<float>(relief.height(placed(v, maps, body))));
-    }
+    for (const Vec3d& place : places_on(body, maps)) result.push_back(static_cast<float>(relief.height(place)));
     return result;
   }
 
