@@ -2,10 +2,9 @@
 // The arguments by which verbs are told a level of detail.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
-
-#include <CLI/CLI.hpp>
 
 #include "limber/view/cut.h"
 #include "tool/console.h"
@@ -20,7 +19,8 @@ struct LevelArgument {
   std::optional<float> hysteresis;
 };
 
-// --vertices, --triangles, --level, --error (one of them at most) and --hysteresis. `argument` must outlive the parsing.
+// --vertices, --triangles, --level, --error (one of them at most) and --hysteresis. `argument` must outlive the
+// parsing.
 void declare_level(CLI::App& app, LevelArgument& argument);
 
 // Nothing where no level is asked for. A single frame has no hysteresis unless it is asked for.

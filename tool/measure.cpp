@@ -22,10 +22,9 @@ Error frame_error(const std::string& clip, std::uint64_t number, std::string wha
 }
 
 Error count_mismatch(const Arguments& arguments, std::uint64_t count, bool original_ended) {
-  const std::string& shorter = original_ended ? arguments.original.specification
-                                              : arguments.approximation.specification;
-  const std::string& longer = original_ended ? arguments.approximation.specification
-                                             : arguments.original.specification;
+  const std::string& shorter =
+      original_ended ? arguments.original.specification : arguments.approximation.specification;
+  const std::string& longer = original_ended ? arguments.approximation.specification : arguments.original.specification;
   return {ErrorCode::kMismatch, shorter,
           fmt::format("has {} frame{}, {} has more; --first and --last choose frames of both", count,
                       count == 1 ? "" : "s", longer)};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tool/open_source.h"
 
+#include <fmt/format.h>
+
 #include "limber/clip/input_file.h"
 #include "tool/exit.h"
 
@@ -14,9 +16,10 @@ Result<std::unique_ptr<eval::MeshSource>> open_any_meshes(const ClipArgument& ar
     return eval::open_stream_meshes(argument.specification, cut, argument.options);
   }
   if (cut) {
-    throw UsageError(fmt::format("only a .limber stream has levels of detail, and {} is none; leave out --vertices, "
-                                 "--triangles, --level and --error",
-                                 argument.specification));
+    throw UsageError(
+        fmt::format("only a .limber stream has levels of detail, and {} is none; leave out --vertices, "
+                    "--triangles, --level and --error",
+                    argument.specification));
   }
   return eval::open_meshes(argument.specification, argument.options);
 }

@@ -2,10 +2,9 @@
 // The arguments by which verbs are told what a picture shall look like.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <string>
 #include <string_view>
-
-#include <CLI/CLI.hpp>
 
 #include "eval/picture.h"
 #include "tool/clip_argument.h"

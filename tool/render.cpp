@@ -71,11 +71,10 @@ Result<Exit> render(Arguments arguments, Console& console) {
     console.print("{}: {} pictures, frames {} to {}\n", arguments.output.path, taken->frames.size(), first.number,
                   taken->frames.back().number);
   }
-  console.report("limber.render/1",
-                 {{"output", arguments.output.path},
-                  {"asked", describe_json(cut)},
-                  {"error_range", taken->error_range ? Json(*taken->error_range) : Json(nullptr)},
-                  {"frames", frames}});
+  console.report("limber.render/1", {{"output", arguments.output.path},
+                                     {"asked", describe_json(cut)},
+                                     {"error_range", taken->error_range ? Json(*taken->error_range) : Json(nullptr)},
+                                     {"frames", frames}});
   return Exit::kDone;
 }
 

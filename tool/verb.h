@@ -29,6 +29,10 @@ struct Verb {
 std::span<const Verb> verbs();
 
 Action declare_convert(CLI::App& app);
+Action declare_extract(CLI::App& app);
+Action declare_measure(CLI::App& app);
+Action declare_render(CLI::App& app);
 Action declare_sample(CLI::App& app);
+Action declare_simplify(CLI::App& app);
 
 }  // namespace limber::tool

@@ -58,6 +58,7 @@ struct MethodInfo {
   std::string_view name;
   std::string_view description;  // one line
   bool frames_are_independent;   // a frame depends on its positions alone: any may be made without the others
+  bool uses_base_frames;         // looks at more frames than the first before it begins
   std::unique_ptr<Method> (*create)(const MethodOptions&);
 };
 

@@ -8,10 +8,10 @@ namespace limber::eval {
 namespace {
 
 constexpr MethodInfo kMethods[] = {
-    {"direct", "every frame by itself, by edge contraction (QSlim)", true, make_direct},
-    {"improved", "as direct, its clusters then improved by swaps on the same frame", true, make_improved},
-    {"first-frame", "the clusters of the first frame, placed anew in every frame", false, make_first_frame},
-    {"multilevel", "a hierarchy that follows the clip by swaps, cut at the size asked for", false, make_multilevel},
+    {"direct", "every frame by itself, by edge contraction (QSlim)", true, false, make_direct},
+    {"improved", "as direct, its clusters then improved by swaps on the same frame", true, false, make_improved},
+    {"first-frame", "the clusters of the first frame, placed anew in every frame", false, false, make_first_frame},
+    {"multilevel", "a hierarchy that follows the clip by swaps, cut at the size asked for", false, true, make_multilevel},
 };
 
 }  // namespace
