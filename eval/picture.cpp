@@ -101,8 +101,11 @@ void PictureBounds::add(const Surface& surface, UpAxis up) {
 
 Photographer::Photographer(const PictureOptions& options, const PictureBounds& bounds) : options_(options) {
   assert(options.width >= 1 && options.height >= 1);
+  // The bar that explains the colours stands at the right.
+  const double margin = options.error_colors ? 0.13 : 0.06;
   camera_ = frame_camera(bounds.box, direction_to_eye(options.view, options.up),
-                         static_cast<double>(options.width) / options.height, {.up = up_vector(options.up)});
+                         static_cast<double>(options.width) / options.height,
+                         {.up = up_vector(options.up), .margin = margin});
   if (options.ground && std::isfinite(bounds.lowest)) ground_height_ = bounds.lowest;
 }
 

@@ -19,11 +19,12 @@ struct LevelArgument {
   std::optional<float> hysteresis;
 };
 
-// --vertices, --triangles, --level, --error (one of them at most) and --hysteresis. `argument` must outlive the
+// --vertices, --triangles, --level, --error and --hysteresis. `argument` must outlive the
 // parsing.
 void declare_level(CLI::App& app, LevelArgument& argument);
 
-// Nothing where no level is asked for. A single frame has no hysteresis unless it is asked for.
+// Nothing where no level is asked for. Throws UsageError for more than one, and for values out of range. A single frame
+// has no hysteresis unless it is asked for.
 std::optional<CutOptions> cut_options(const LevelArgument& argument, bool single_frame);
 
 // "at most 800 vertices"; and the same for machines.

@@ -18,12 +18,23 @@ std::string list_methods() {
 }
 
 void declare_size(CLI::App& app, MethodArgument& argument) {
-  CLI::Option* const vertices = app.add_option("--vertices", argument.vertices, "at most N vertices");
-  CLI::Option* const triangles = app.add_option("--triangles", argument.triangles, "at most N triangles");
-  CLI::Option* const ratio = app.add_option("--ratio", argument.ratio, "the share of the vertices that is kept");
-  vertices->type_name("N")->check(CLI::PositiveNumber)->excludes(triangles)->excludes(ratio);
-  triangles->type_name("N")->check(CLI::PositiveNumber)->excludes(ratio);
-  ratio->type_name("SHARE")->check(CLI::Range(1e-9, 1.0));
+  app.add_option("--vertices", argument.vertices, "at most N vertices")->type_name("N");
+  app.add_option("--triangles", argument.triangles, "at most N triangles")->type_name("N");
+  app.add_option("--ratio", argument.ratio, "the share of the vertices that is kept, as in 0.1")->type_name("SHARE");
+}
+
+void check_size(const MethodArgument& argument) {
+  switch (argument.vertices.has_value() + argument.triangles.has_value() + argument.ratio.has_value()) {
+    case 0:
+      throw UsageError("how small? give --vertices, --triangles or --ratio");
+    case 1:
+      break;
+    default:
+      throw UsageError("--vertices, --triangles and --ratio exclude each other");
+  }
+  if (argument.vertices == 0u || argument.triangles == 0u) throw UsageError("nothing would be left; ask for more");
+  if (argument.ratio && !(*argument.ratio > 0 && *argument.ratio <= 1))
+    throw UsageError("--ratio is the share that is kept, more than 0 and at most 1");
 }
 
 }  // namespace
@@ -52,7 +63,6 @@ void declare_method(CLI::App& app, MethodArgument& argument) {
   app.add_option("--levels", options.level_sizes, "exact sizes of the levels above the finest, as in 3200,800")
       ->type_name("N,...")
       ->delimiter(',')
-      ->check(CLI::PositiveNumber)
       ->group(group);
   app.add_option("--base-frames", argument.base_frames, "frames that the base hierarchy is made for")
       ->type_name("N")
@@ -89,10 +99,10 @@ std::vector<const eval::MethodInfo*> chosen_methods(const MethodArgument& argume
     chosen.push_back(info);
   }
   const std::vector<Index>& sizes = argument.options.level_sizes;
+  if (std::ranges::find(sizes, 0u) != sizes.end()) throw UsageError("--levels have at least one vertex each");
   if (std::ranges::adjacent_find(sizes, std::ranges::less_equal{}) != sizes.end())
     throw UsageError("--levels go from fine to coarse: each must be smaller than the one before");
-  if (!argument.vertices && !argument.triangles && !argument.ratio)
-    throw UsageError("how small? give --vertices, --triangles or --ratio");
+  check_size(argument);
   return chosen;
 }
 
