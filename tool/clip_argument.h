@@ -19,7 +19,7 @@ struct ClipArgument {
 // CLIP, --mesh, --first and --last. `argument` must outlive the parsing.
 void declare_clip(CLI::App& app, ClipArgument& argument, const std::string& name = "CLIP");
 
-// Whatever open_clip() opens.
+// Whatever open_clip() opens, and streams: `FILE.limber`, or `-` for one on standard input.
 Result<std::unique_ptr<ClipReader>> open_any_clip(const ClipArgument& argument);
 
 }  // namespace limber::tool

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "limber/clip/mesh_file.h"
+#include "tool/ranges.h"
 #include "tool/suggest.h"
 #include "tool/threads.h"
 #include "tool/verb.h"
@@ -102,12 +103,11 @@ void declare_conventions(CLI::App& app, const Verb& verb, Conventions& conventio
   }
   app.footer(footer);
   app.get_formatter()->column_width(26);
-  app.get_formatter()->label("OPTIONS", "OPTIONS");
   app.set_help_flag("-h,--help", "show this help");
   app.add_flag("--json", conventions.json, "results, and errors, as JSON on standard output");
   app.add_flag("-q,--quiet", conventions.quiet, "no messages and no progress");
   app.add_option("-j,--threads", conventions.threads, "threads; 0 for all that the process may use")
-      ->check(CLI::Range(0u, 4096u))
+      ->check(in_range(0, 4096))
       ->type_name("N")
       ->default_str("0");
   app.allow_extras();

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "limber/clip/sample.h"
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include "tool/copy_clip.h"
 #include "tool/output_argument.h"
+#include "tool/ranges.h"
 #include "tool/suggest.h"
 #include "tool/verb.h"
 
@@ -48,10 +53,12 @@ Action declare_sample(CLI::App& app) {
   const auto arguments = std::make_shared<Arguments>();
   app.add_option("NAME", arguments->name, "the sample; without it, the samples are listed");
   app.add_option("--vertices", arguments->vertex_count, "its vertices")
-      ->check(CLI::Range(100u, 5000000u))
+      ->check(in_range(100, 5000000))
+      ->type_name("N")
       ->capture_default_str();
   app.add_option("--frames", arguments->frame_count, "its frames")
-      ->check(CLI::Range(1u, 100000u))
+      ->check(in_range(1, 100000))
+      ->type_name("N")
       ->capture_default_str();
   declare_output(app, arguments->output, "'out/%04d.obj' (or .ply, .off), out.pc2 or out.mdd (with out.obj beside it)",
                  false);

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tool/verb.h"
 
-#include <array>
-
 namespace limber::tool {
 namespace {
 
 constexpr Verb kVerbs[] = {
+    {"build", "Turn a clip into a stream of all its levels of detail",
+     "limber build 'horse/%04d.obj' -o horse.limber\n"
+     "limber build horse.pc2 --mesh horse.obj --levels 3200,800 -o horse.limber\n"
+     "limber build 'sample:gallop?vertices=5000&frames=24' --lossless -o gallop.limber\n",
+     declare_build},
+    {"info", "Say what is in a stream",
+     "limber info horse.limber\n"
+     "limber info horse.limber --frames --json\n",
+     declare_info},
     {"extract", "Take a level of detail out of a stream, as a mesh or a picture",
      "limber extract horse.limber --frame 12 --vertices 800 -o horse12.ply\n"
      "limber extract horse.limber --triangles 2000 -o 'lod/%04d.obj'\n"
@@ -23,6 +30,14 @@ constexpr Verb kVerbs[] = {
      "limber measure 'horse/%04d.obj' 'out/%04d.obj' --json\n"
      "limber measure 'horse/%04d.obj' horse.limber --vertices 800\n",
      declare_measure},
+    {"check", "Test a stream, and every invariant of every frame",
+     "limber check horse.limber\n"
+     "limber check horse.limber --all --against 'horse/%04d.obj'\n",
+     declare_check},
+    {"play", "Run through a stream and report the time of each step",
+     "limber play horse.limber\n"
+     "limber play horse.limber --vertices 2000 --repeat 5 --json\n",
+     declare_play},
     {"render", "Take pictures of a mesh or clip",
      "limber render 'horse/%04d.obj' --frame 12 -o horse12.png\n"
      "limber render cloth.pc2 --flat --view 60,20 --size 1920x1080 -o 'cloth/%04d.png'\n"

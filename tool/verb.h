@@ -28,9 +28,13 @@ struct Verb {
 // In the order in which the help lists them.
 std::span<const Verb> verbs();
 
+Action declare_build(CLI::App& app);
+Action declare_check(CLI::App& app);
 Action declare_convert(CLI::App& app);
 Action declare_extract(CLI::App& app);
+Action declare_info(CLI::App& app);
 Action declare_measure(CLI::App& app);
+Action declare_play(CLI::App& app);
 Action declare_render(CLI::App& app);
 Action declare_sample(CLI::App& app);
 Action declare_simplify(CLI::App& app);
