@@ -5,9 +5,7 @@
 #include <cassert>
 
 namespace limber::eval {
-namespace {
 
-// 95th percentile: the smallest value that at least 95 of 100 do not exceed.
 std::optional<Statistic> statistic(std::vector<double> values) {
   if (values.empty()) return std::nullopt;
   std::sort(values.begin(), values.end());
@@ -17,6 +15,8 @@ std::optional<Statistic> statistic(std::vector<double> values) {
   return Statistic{
       .mean = sum / static_cast<double>(values.size()), .percentile_95 = values[rank - 1], .worst = values.back()};
 }
+
+namespace {
 
 // `value(frame)` gives something that has a number, or does not.
 template <class Value>

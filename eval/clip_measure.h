@@ -36,6 +36,9 @@ struct Statistic {
   double worst = 0;
 };
 
+// 95th percentile: the smallest value that at least 95 of 100 do not exceed. Nothing for no values.
+std::optional<Statistic> statistic(std::vector<double> values);
+
 struct ClipSummary {
   Statistic rms, mean, max;          // of the surface distance
   std::optional<Statistic> flicker;  // its mean is the flicker of the clip

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "limber/base/mesh.h"
 #include "limber/base/vec.h"
@@ -44,6 +45,19 @@ inline Box bounding_box(const Surface& surface) {
     for (const Index vertex : triangle) box.add(Vec3d(surface.positions[vertex]));
   }
   return box;
+}
+
+// The vertices that a triangle uses.
+inline Index used_vertex_count(const Surface& surface) {
+  std::vector<bool> used(surface.positions.size(), false);
+  Index count = 0;
+  for (const Triangle& triangle : surface.triangles) {
+    for (const Index vertex : triangle) {
+      if (!used[vertex]) ++count;
+      used[vertex] = true;
+    }
+  }
+  return count;
 }
 
 }  // namespace limber::eval

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "limber/clip/frame_files.h"
+#include "limber/clip/frame_range.h"
 #include "limber/clip/mesh_file.h"
 #include "limber/clip/mesh_sequence_reader.h"
 #include "limber/clip/mesh_sequence_writer.h"
@@ -14,6 +15,7 @@
 #include "limber/clip/point_cache_layout.h"
 #include "limber/clip/point_cache_reader.h"
 #include "limber/clip/point_cache_writer.h"
+#include "limber/clip/sample.h"
 
 namespace limber {
 namespace {
@@ -66,6 +68,10 @@ class MeshClipWriter final : public ClipWriter {
 }  // namespace
 
 Result<std::unique_ptr<ClipReader>> open_clip(std::string_view specification, const ClipOptions& options) {
+  if (specification.starts_with("sample:")) {
+    Result<std::unique_ptr<ClipReader>> sample = open_sample(specification);
+    return sample ? limit_frames(std::move(*sample), options, std::string(specification)) : std::move(sample);
+  }
   const fs::path path(specification);
   std::error_code error;
   const fs::file_status status = fs::status(path, error);

@@ -4,14 +4,39 @@
 #include <cassert>
 #include <cmath>
 
+#include "limber/base/portable_math.h"
+
 namespace limber {
+namespace {
+
+// The sizes between two levels, none of them included: as many as make the steps nearest to `branching`.
+void add_between(Index finer, Index coarser, double branching, std::vector<Index>& targets) {
+  const double ratio = portable_log(static_cast<double>(finer) / coarser), step = portable_log(branching);
+  if (!(ratio > 1.5 * step)) return;
+  const auto step_count = static_cast<Index>(std::lround(ratio / step));
+  Index last = finer;
+  for (Index i = 1; i < step_count; ++i) {
+    const auto size = static_cast<Index>(std::lround(finer * portable_exp(-ratio * i / step_count)));
+    if (size < last && size > coarser) targets.push_back(last = size);
+  }
+}
+
+}  // namespace
 
 std::vector<Index> level_targets(Index vertex_count, const BuildOptions& options) {
-  if (!options.level_sizes.empty()) return options.level_sizes;
   assert(options.branching > 1);
   std::vector<Index> targets;
-  for (double size = vertex_count / options.branching; size >= kSmallestLevel; size /= options.branching)
-    targets.push_back(static_cast<Index>(std::lround(size)));
+  Index last = vertex_count;
+  for (const Index size : options.level_sizes) {
+    assert(size >= 1);
+    if (size >= last) continue;
+    add_between(last, size, options.branching, targets);
+    targets.push_back(last = size);
+  }
+  for (double size = last / options.branching; size >= kSmallestLevel; size /= options.branching) {
+    const auto rounded = static_cast<Index>(std::lround(size));
+    if (rounded < last) targets.push_back(last = rounded);
+  }
   return targets;
 }
 

@@ -13,9 +13,11 @@
 namespace limber {
 
 struct BuildOptions {
-  // Each level has 1/branching of the vertices of the one below, > 1.
+  // Each level has about 1/branching of the vertices of the one below, > 1.
   double branching = 8;
-  // Exact vertex counts of the levels above the finest, decreasing; in place of `branching` where not empty.
+  // Exact vertex counts of some levels above the finest, strictly decreasing, >= 1. Between the finest level and these,
+  // and between two of them, there are more levels, evenly in their ratio, where it exceeds branching^1.5; beyond the
+  // last they go on by `branching`.
   std::vector<Index> level_sizes;
   ContractOptions contract;
 };
@@ -30,7 +32,8 @@ inline constexpr Index kSmallestLevel = 12;
 Hierarchy build_hierarchy(const Mesh& mesh, std::span<const std::span<const Vec3f>> frames,
                           const BuildOptions& options);
 
-// The vertex counts that build_hierarchy aims at above the finest level, for a mesh of this many vertices.
+// The vertex counts that build_hierarchy aims at above the finest level, decreasing, for a mesh of this many vertices.
+// Sizes asked for that are not smaller than the mesh are left out.
 std::vector<Index> level_targets(Index vertex_count, const BuildOptions& options);
 
 }  // namespace limber

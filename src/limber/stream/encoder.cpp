@@ -114,6 +114,7 @@ struct Encoder::Stream {
   std::vector<Lattice> lattice;        // [node_count], of the frame being written
   std::vector<std::uint64_t> offsets;  // of the frames' chunks
   std::vector<std::uint32_t> keys;     // the key frames
+  ChunkSizes sizes;                    // of the frame written last
 
   Result<void> write(std::span<const std::byte> bytes);
   Result<void> write_chunk(std::uint32_t kind, std::uint32_t number, std::span<const std::byte> payload);
@@ -280,10 +281,17 @@ Result<void> Encoder::add(const Hierarchy& hierarchy, std::span<const Swap> net_
   std::vector<std::byte> payload;
   for (const auto& section : sections) append_little_endian(payload, static_cast<std::uint32_t>(section.size()));
   for (const auto& section : sections) append(payload, section);
+  stream.sizes = {.hierarchy = sections[0].size(),
+                  .finest_positions = sections[1].size(),
+                  .coarser_positions = sections[2].size(),
+                  .errors = sections[3].size(),
+                  .overhead = kChunkHeaderSize + kSectionTableSize};
   stream.offsets.push_back(stream.written);
   if (key) stream.keys.push_back(frame);
   return stream.write_chunk(key ? kKeyChunk : kStepChunk, frame, payload);
 }
+
+const ChunkSizes& Encoder::sizes() const { return stream_->sizes; }
 
 Result<void> Encoder::finish() {
   Stream& stream = *stream_;

@@ -13,6 +13,7 @@
 #include "limber/base/result.h"
 #include "limber/base/vec.h"
 #include "limber/hierarchy/hierarchy.h"
+#include "limber/stream/header.h"
 
 namespace limber {
 
@@ -50,6 +51,9 @@ class Encoder {
   // that the tolerance cannot be kept.
   Result<void> add(const Hierarchy& hierarchy, std::span<const Swap> net_swaps, std::span<const Vec3f> positions,
                    std::span<const float> errors, bool force_key = false);
+
+  // The bytes of the frame added last, by kind.
+  const ChunkSizes& sizes() const;
 
   // Writes the index. Error kMismatch: options.frame_count was another number. Nothing may be added afterwards.
   Result<void> finish();

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// Methods side by side on one clip, in one run.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "eval/clip_measure.h"
+#include "eval/methods/method.h"
+#include "eval/methods/quadric_error.h"
+#include "limber/base/result.h"
+
+namespace limber::eval {
+
+// What a method did, beside what ClipMeasure says of it.
+struct MethodFrame {
+  Index vertex_count = 0;
+  double quadric_error = 0;  // see QuadricError
+  double adapt_seconds = 0;  // see Approximation
+  double extract_seconds = 0;
+};
+
+struct Contender {
+  const MethodInfo* info = nullptr;
+  std::unique_ptr<Method> method;
+  double begin_seconds = 0;     // processor time
+  Approximation approximation;  // of the frame added last
+  ClipMeasure measure;
+  std::vector<MethodFrame> frames;  // as many as measure.frames()
+};
+
+// A contender against the first one.
+struct Relative {
+  double rms_by_frame = 1;   // mean over the frames of rms / rms
+  double rms_by_mean = 1;    // mean rms / mean rms
+  double rms_worst = 1;      // the largest rms / rms of a frame
+  double quadric_error = 1;  // mean / mean
+  double adapt_time = 1;     // mean / mean
+};
+
+class Comparison {
+ public:
+  // At least one method; the first is what the others are held against.
+  Comparison(std::span<const MethodInfo* const> methods, const MethodOptions& options,
+             const ClipMeasureOptions& measure);
+
+  // As Method::begin().
+  void begin(const Mesh& mesh, std::span<const std::span<const Vec3f>> base_frames);
+
+  // Runs every method on the next frame, one after the other on this thread so that times can be compared, and measures
+  // the results on all threads. Error kBadInput: the frame has no extent, or nothing is left of it at this size.
+  Result<void> add(std::span<const Vec3f> positions);
+
+  std::span<const Contender> contenders() const { return contenders_; }
+
+  // Precondition: a frame has been added. Where both are nothing their ratio is 1.
+  Relative relative(std::size_t contender) const;
+
+ private:
+  const Mesh* mesh_ = nullptr;
+  MethodOptions options_;
+  std::uint32_t first_frame_number_;
+  std::optional<QuadricError> quadric_error_;
+  std::vector<Contender> contenders_;
+  std::vector<Triangle> ids_;  // scratch
+};
+
+// Schema "limber.simplify/1": `methods`, each with its name, the summary and the frames of "limber.measure/1",
+// `vertices`, `quadric_error`, `begin_ms`, `adapt_ms` and `extract_ms` (mean, 95th percentile and worst), and
+// `relative` to the first method. Precondition of both: a frame has been added.
+nlohmann::ordered_json comparison_json(const Comparison& comparison);
+
+// A line per method; then, of several, a line per method relative to the first.
+std::string comparison_table(const Comparison& comparison);
+
+}  // namespace limber::eval

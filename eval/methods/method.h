@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// Simplification methods under one signature, so that they can be measured side by side on the same clip.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "limber/base/mesh.h"
+#include "limber/base/vec.h"
+#include "limber/contract/contract.h"
+
+namespace limber::eval {
+
+struct MethodOptions {
+  // How large an approximation may be; one of the two, > 0, the other 0. Isolated vertices do not count.
+  Index vertices = 0;
+  Index triangles = 0;
+  ContractOptions contract;  // its topology is that of every method
+
+  // Of the multilevel method: as BuildOptions and ReclusterOptions, and `limber build`. Where no level sizes are
+  // given a vertex count is the exact size of a level, and the levels around it are spaced as `branching` says.
+  double branching = 8;
+  std::vector<Index> level_sizes;
+  std::optional<double> growth;
+  double coarser_weight = 0.2;
+  double threshold = 0.05;
+};
+
+// One frame's result. The caller's object, used again for each frame.
+struct Approximation {
+  std::vector<Triangle> triangles;
+  std::vector<Vec3f> positions;  // only vertices that a triangle uses
+  std::vector<Index> nodes;      // [positions.size()]: the id of each vertex, the same in every frame
+  std::vector<Index> clusters;   // [vertex_count of the clip]: vertices with the same number share a cluster;
+                                 // numbers are below the clip's node count, whatever the method's nodes are
+  double adapt_seconds = 0;      // processor time of deciding what the frame is made of ...
+  double extract_seconds = 0;    // ... and of listing its vertices and triangles
+};
+
+// Follows a clip frame by frame.
+class Method {
+ public:
+  virtual ~Method() = default;
+
+  // Called once, before frame(). base_frames: at least one, the first of them the first frame of the clip; each
+  // [mesh.vertex_count], finite. Only the multilevel method looks at more than the first.
+  // The mesh must outlive the method, the frames need not.
+  virtual void begin(const Mesh& mesh, std::span<const std::span<const Vec3f>> base_frames) = 0;
+
+  // The next frame, the first of the clip being the first: [vertex_count], finite.
+  virtual void frame(std::span<const Vec3f> positions, Approximation& out) = 0;
+};
+
+struct MethodInfo {
+  std::string_view name;
+  std::string_view description;  // one line
+  bool frames_are_independent;   // a frame depends on its positions alone: any may be made without the others
+  bool uses_base_frames;         // looks at more frames than the first before it begins
+  std::unique_ptr<Method> (*create)(const MethodOptions&);
+};
+
+// All methods, in the order in which a help text lists them.
+std::span<const MethodInfo> methods();
+
+// Nothing where no method has the name.
+const MethodInfo* find_method(std::string_view name);
+
+// The names of the triangles' corners that ChangedTriangles wants.
+void name_corners(const Approximation& approximation, std::vector<Triangle>& ids);
+
+}  // namespace limber::eval

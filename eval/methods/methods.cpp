@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include "eval/methods/factories.h"
+#include "eval/methods/method.h"
+
+namespace limber::eval {
+namespace {
+
+constexpr MethodInfo kMethods[] = {
+    {"direct", "every frame by itself, by edge contraction (QSlim)", true, false, make_direct},
+    {"improved", "as direct, its clusters then improved by swaps on the same frame", true, false, make_improved},
+    {"first-frame", "the clusters of the first frame, placed anew in every frame", false, false, make_first_frame},
+    {"multilevel", "a hierarchy that follows the clip by swaps, cut at the size asked for", false, true, make_multilevel},
+};
+
+}  // namespace
+
+std::span<const MethodInfo> methods() { return kMethods; }
+
+const MethodInfo* find_method(std::string_view name) {
+  const auto* const found = std::ranges::find(kMethods, name, &MethodInfo::name);
+  return found == std::end(kMethods) ? nullptr : found;
+}
+
+void name_corners(const Approximation& approximation, std::vector<Triangle>& ids) {
+  ids = approximation.triangles;
+  for (Triangle& triangle : ids) {
+    for (Index& corner : triangle) corner = approximation.nodes[corner];
+  }
+}
+
+}  // namespace limber::eval

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "eval/stream_levels.h"
+
+#include <cmath>
+
+#include "eval/surface.h"
+#include "limber/clip/input_file.h"
+
+namespace limber::eval {
+
+Error StreamLevels::located(const Error& error) const {
+  return {error.code, error.where.empty() ? name_ : name_ + ": " + error.where, error.what};
+}
+
+Result<std::unique_ptr<StreamLevels>> StreamLevels::open(const std::filesystem::path& path,
+                                                         const std::optional<CutOptions>& cut) {
+  std::unique_ptr<StreamLevels> levels(new StreamLevels(path.string()));
+  if (const Result<void> read = read_file(path, levels->bytes_); !read) return read.error();
+  const Result<void> opened = levels->player_.open(std::as_bytes(std::span(levels->bytes_)));
+  if (!opened) return levels->located(opened.error());
+  if (levels->available_frames() == 0) {
+    return Error{ErrorCode::kTruncated, levels->name_, "ends before its first frame is whole"};
+  }
+  levels->cut_.emplace(levels->mesh(), levels->player_.state().hierarchy,
+                       cut.value_or(CutOptions{.by = CutBy::kLevel, .level = 0}));
+  return levels;
+}
+
+Result<void> StreamLevels::go_to(std::uint32_t frame) {
+  if (const Result<void> found = player_.seek(frame); !found) return located(found.error());
+  cut_->update(mesh(), state());
+  extract(mesh(), state(), *cut_, scratch_, buffers_, {.whole_input = true});
+  return {};
+}
+
+double StreamLevels::estimated_error() const {
+  const Surface surface{mesh().triangles, std::span(state().positions).first(mesh().vertex_count)};
+  double doubled_area = 0;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) doubled_area += length(area_vector(surface, t));
+  double squared_error = 0;
+  for (Index node = mesh().vertex_count; node < state().errors.size(); ++node) {
+    const double error = state().errors[node];
+    if (cut_->is_active(node)) squared_error += error * error;
+  }
+  const double diagonal = bounding_box(surface).diagonal();
+  return doubled_area > 0 && diagonal > 0 ? 100 * std::sqrt(squared_error / (0.5 * doubled_area)) / diagonal : 0;
+}
+
+}  // namespace limber::eval

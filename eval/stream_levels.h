@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// Levels of detail out of a stream file.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "limber/base/result.h"
+#include "limber/view/cut.h"
+#include "limber/view/extract.h"
+#include "limber/view/player.h"
+
+namespace limber::eval {
+
+class StreamLevels {
+ public:
+  // Reads the file; the cut will be that of all frames, the finest level where there is none. Errors name the file;
+  // kTruncated where not even one frame is whole.
+  static Result<std::unique_ptr<StreamLevels>> open(const std::filesystem::path& path,
+                                                    const std::optional<CutOptions>& cut);
+
+  const Mesh& mesh() const { return player_.mesh(); }
+  const StreamHeader& header() const { return player_.header(); }
+  std::uint32_t first_frame_number() const { return player_.header().first_frame_number; }
+
+  // The frames that are whole, and those that the stream promises.
+  std::uint32_t available_frames() const { return player_.available_frames(); }
+  std::optional<std::uint32_t> frame_count() const { return player_.frame_count(); }
+
+  // Makes the level of detail of a frame, counted from 0. Precondition: frame < available_frames().
+  // With hysteresis it depends on the frame gone to before.
+  Result<void> go_to(std::uint32_t frame);
+
+  // Preconditions of all that follow: go_to() succeeded.
+
+  const FrameState& state() const { return player_.state(); }
+  // The input mesh as it was, with isolated vertices and degenerate triangles, at the finest level.
+  const MeshBuffers& buffers() const { return buffers_; }
+
+  // What the quadrics say of the level's error: the root of the mean squared distance over the surface, in percent of
+  // the diagonal of the frame's bounding box. 0 at the finest level.
+  double estimated_error() const;
+
+ private:
+  explicit StreamLevels(std::string name) : name_(std::move(name)) {}
+  Error located(const Error& error) const;
+
+  std::string name_;
+  std::string bytes_;
+  Player player_;
+  std::optional<Cut> cut_;
+  ExtractScratch scratch_;
+  MeshBuffers buffers_;
+};
+
+}  // namespace limber::eval

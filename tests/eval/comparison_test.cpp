@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "eval/comparison.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "limber/clip/clip.h"
+
+namespace limber::eval {
+namespace {
+
+const ClipMeasureOptions kFew{.distance = {.samples = {.per_triangle = 0, .at_least = 2000}}, .first_frame_number = 5};
+
+Result<void> compare(Comparison& comparison, Mesh& mesh) {
+  const auto reader = open_clip("sample:gallop?vertices=400&frames=3", {});
+  mesh = (*reader)->mesh();
+  std::vector<Vec3f> positions(mesh.vertex_count);
+  for (bool first = true; *(*reader)->read(positions); first = false) {
+    const std::span<const Vec3f> base[] = {positions};
+    if (first) comparison.begin(mesh, base);
+    if (Result<void> added = comparison.add(positions); !added) return added;
+  }
+  return {};
+}
+
+TEST(Comparison, HoldsEveryMethodAgainstTheFirst) {
+  const MethodInfo* const methods[] = {find_method("direct"), find_method("first-frame")};
+  Comparison comparison(methods, {.vertices = 60}, kFew);
+  Mesh mesh;
+  ASSERT_TRUE(compare(comparison, mesh));
+  const Relative self = comparison.relative(0), other = comparison.relative(1);
+  EXPECT_EQ(self.rms_by_mean, 1);
+  EXPECT_EQ(self.rms_worst, 1);
+  EXPECT_NEAR(self.rms_by_frame, 1, 1e-12);
+  EXPECT_GT(other.quadric_error, 1);
+  EXPECT_GE(other.rms_worst, other.rms_by_frame);
+
+  const auto json = comparison_json(comparison);
+  EXPECT_EQ(json["schema"], "limber.simplify/1");
+  ASSERT_EQ(json["methods"].size(), 2u);
+  EXPECT_EQ(json["methods"][1]["method"], "first-frame");
+  EXPECT_EQ(json["methods"][1]["changed"], 0);
+  EXPECT_GT(json["methods"][0]["changed"], 0);
+  EXPECT_EQ(json["methods"][0]["frames"][2]["frame"], 7);
+  EXPECT_LE(json["methods"][0]["frames"][2]["vertices"], 60);
+  EXPECT_NE(comparison_table(comparison).find("relative to direct"), std::string::npos);
+}
+
+TEST(Comparison, AMethodThatLeavesNothingIsAnError) {
+  const MethodInfo* const methods[] = {find_method("direct")};
+  Comparison comparison(methods, {.vertices = 2, .contract = {.topology = Topology::kFree}}, kFew);
+  Mesh mesh;
+  const Result<void> compared = compare(comparison, mesh);
+  ASSERT_FALSE(compared);
+  EXPECT_EQ(compared.error().code, ErrorCode::kBadInput);
+  EXPECT_EQ(compared.error().where, "frame 5");
+}
+
+}  // namespace
+}  // namespace limber::eval

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+
+#include "limber/clip/mesh_file.h"
+#include "tests/tool/run.h"
+
+namespace limber::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+using testing::UnorderedElementsAre;
+using tool::Exit;
+using ExtractVerb = ToolTest;
+using RenderVerb = ToolTest;
+
+TEST_F(ExtractVerb, WritesALevelOfOneFrame) {
+  const std::string file = stream();
+  for (const char* const name : {"a.obj", "a.ply", "a.off"}) {
+    const Run ran = run({"extract", file, "--frame", "3", "--vertices", "100", "-o", path(name), "--json"});
+    ASSERT_EQ(ran.exit, Exit::kDone) << ran.err;
+    const auto mesh = read_mesh(path(name));
+    ASSERT_TRUE(mesh);
+    const auto frame = ran.json()["frames"][0];
+    EXPECT_EQ(frame["frame"], 3);
+    EXPECT_EQ(frame["vertices"], mesh->mesh.vertex_count);
+    EXPECT_EQ(frame["triangles"], mesh->mesh.triangles.size());
+    EXPECT_GT(frame["estimated_error"], 0);
+    EXPECT_LE(mesh->mesh.vertex_count, 100u);
+  }
+  EXPECT_THAT(bytes(path("a.obj")), HasSubstr("vn "));
+}
+
+TEST_F(ExtractVerb, NumbersAllFramesAsTheInputWas) {
+  const Run built = run({"build", kSample, "--first", "2", "--last", "4", "-o", path("a.limber"), "-q"});
+  ASSERT_EQ(built.exit, Exit::kDone) << built.err;
+  ASSERT_EQ(run({"extract", path("a.limber"), "--triangles", "150", "-o", path("lod/%03d.off")}).exit, Exit::kDone);
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(path("lod"))) names.push_back(entry.path().filename());
+  EXPECT_THAT(names, UnorderedElementsAre("002.off", "003.off", "004.off"));
+}
+
+TEST_F(ExtractVerb, TheFinestLevelIsTheInput) {
+  ASSERT_EQ(run({"extract", stream("a.limber", {"--lossless"}), "--frame", "5", "-o", path("a.ply")}).exit,
+            Exit::kDone);
+  ASSERT_EQ(run({"convert", kSample, "--first", "5", "--last", "5", "-o", path("b.ply")}).exit, Exit::kDone);
+  const auto extracted = read_mesh(path("a.ply")), converted = read_mesh(path("b.ply"));
+  EXPECT_EQ(extracted->mesh, converted->mesh);
+  EXPECT_EQ(extracted->positions, converted->positions);
+}
+
+TEST_F(ExtractVerb, WithoutAnOutputSaysWhatThereWouldBe) {
+  const Run ran = run({"extract", stream(), "--level", "1"});
+  EXPECT_EQ(ran.exit, Exit::kDone);
+  EXPECT_THAT(ran.out, HasSubstr("asked for level 1: 75 vertices"));
+}
+
+TEST_F(ExtractVerb, AnErrorBoundIsKeptApproximately) {
+  const std::string file = stream();
+  const auto loose = run({"extract", file, "--frame", "0", "--error", "1", "--json"}).json()["frames"][0];
+  const auto tight = run({"extract", file, "--frame", "0", "--error", "0.2", "--json"}).json()["frames"][0];
+  EXPECT_LT(loose["vertices"], tight["vertices"]);
+  EXPECT_LE(tight["estimated_error"], 0.2);
+}
+
+TEST_F(ExtractVerb, TakesPicturesOfALevel) {
+  const std::string file = stream();
+  const Run ran = run({"extract", file, "--frame", "2", "--vertices", "90", "--size", "60x40", "--side-by-side",
+                       "--error-colors", "--view", "20,10", "-o", path("a.png"), "--json"});
+  ASSERT_EQ(ran.exit, Exit::kDone) << ran.err;
+  EXPECT_THAT(bytes(path("a.png")), StartsWith("\x89PNG"));
+  EXPECT_GT(ran.json()["error_range"], 0);
+  ASSERT_EQ(run({"extract", file, "--first", "1", "--last", "2", "--level", "1", "--size", "60x40", "--wireframe", "-o",
+                 path("p/%d.png")})
+                .exit,
+            Exit::kDone);
+  EXPECT_NE(bytes(path("p/1.png")), bytes(path("p/2.png")));
+}
+
+TEST_F(ExtractVerb, ArgumentsThatMakeNoSenseAreRefused) {
+  const std::string file = stream();
+  EXPECT_EQ(run({"extract", kSample, "-o", path("a.obj")}).exit, Exit::kUsage);
+  EXPECT_EQ(run({"extract", file, "-o", path("a.obj")}).exit, Exit::kUsage);
+  EXPECT_EQ(run({"extract", file, "--frame", "1", "-o", path("a.jpg")}).exit, Exit::kUsage);
+  EXPECT_EQ(run({"extract", file, "--frame", "1", "--flat", "-o", path("a.obj")}).exit, Exit::kUsage);
+  EXPECT_EQ(run({"extract", file, "--frame", "1", "--view", "inside", "-o", path("a.png")}).exit, Exit::kUsage);
+  EXPECT_EQ(run({"extract", file, "--frame", "8", "-o", path("a.obj")}).exit, Exit::kBadInput);
+  EXPECT_EQ(run({"extract", path("none.limber"), "--frame", "8", "-o", path("a.obj")}).exit, Exit::kBadInput);
+  EXPECT_EQ(names(), std::vector<std::string>{"a.limber"});
+}
+
+TEST_F(ExtractVerb, AStreamThatIsCutOffGivesItsWholeFrames) {
+  const std::string whole = bytes(stream());
+  write(path("b.limber"), whole.substr(0, whole.size() * 2 / 3));
+  const Run ran = run({"extract", path("b.limber"), "--level", "1"});
+  EXPECT_EQ(ran.exit, Exit::kDone);
+  EXPECT_THAT(ran.err, HasSubstr("is cut off"));
+}
+
+TEST_F(RenderVerb, TakesPicturesOfClipsAndMeshes) {
+  ASSERT_EQ(run({"render", kSample, "--size", "60x40", "-o", path("a.png")}).exit, Exit::kDone);
+  ASSERT_EQ(run({"render", kSample, "--size", "60x40", "-j", "1", "-o", path("b.png")}).exit, Exit::kDone);
+  EXPECT_EQ(bytes(path("a.png")), bytes(path("b.png")));
+  EXPECT_EQ(run({"render", kSample, "--size", "60x40", "-o", path("a.png")}).exit, Exit::kFailure);
+  const Run all = run({"render", kSample, "--last", "1", "--size", "60x40", "-o", path("c/%d.png"), "--json"});
+  ASSERT_EQ(all.exit, Exit::kDone) << all.err;
+  EXPECT_EQ(all.json()["frames"].size(), 2u);
+  EXPECT_TRUE(std::filesystem::exists(path("c/1.png")));
+}
+
+TEST_F(RenderVerb, ErrorColorsNeedAnOriginal) {
+  const std::vector<std::string> arguments = {"render", kSample, "--frame", "1",          "--error-colors",
+                                              "--size", "60x40", "-o",      path("a.png")};
+  EXPECT_EQ(run(arguments).exit, Exit::kUsage);
+  std::vector<std::string> with_original = arguments;
+  with_original.insert(with_original.end(), {"--original", kSample});
+  EXPECT_EQ(run(with_original).exit, Exit::kDone);
+}
+
+}  // namespace
+}  // namespace limber::test

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <system_error>
+
+#include "limber/clip/input_file.h"
+#include "limber/clip/output_file.h"
+#include "limber/stream/build_stream.h"
+#include "tool/clip_argument.h"
+#include "tool/frame_bytes.h"
+#include "tool/output_argument.h"
+#include "tool/progress.h"
+#include "tool/ranges.h"
+#include "tool/stream_file.h"
+#include "tool/verb.h"
+
+namespace limber::tool {
+namespace {
+
+struct Arguments {
+  ClipArgument clip;
+  OutputArgument output;
+  BuildStreamOptions options;
+};
+
+void check_arguments(const Arguments& arguments, const Console& console) {
+  const std::vector<Index>& sizes = arguments.options.hierarchy.level_sizes;
+  if (std::adjacent_find(sizes.begin(), sizes.end(), std::less_equal<>()) != sizes.end())
+    throw UsageError("--levels must get smaller from one to the next, as in 3200,800");
+  if (arguments.output.is_standard_output()) {
+    if (console.conventions.json) throw UsageError("-o - and --json both want standard output; give one of them up");
+    return;
+  }
+  const std::filesystem::path path(arguments.output.path);
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path, ignored);
+  const bool is_device = std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
+  if (lower_case_extension(path) != ".limber" && !is_device)
+    throw UsageError(fmt::format("the output of build is a stream, so its name must end in .limber, not as {} does",
+                                 one_line(arguments.output.path)));
+}
+
+std::string_view stage_name(BuildStage stage) {
+  switch (stage) {
+    case BuildStage::kChoosing:
+      return "reading";
+    case BuildStage::kBase:
+      return "first levels";
+    case BuildStage::kFrames:
+      return "building";
+  }
+  return "";
+}
+
+Result<BuildReport> build_with_progress(ClipReader& clip, const BuildStreamOptions& options, const ByteSink& sink,
+                                        Console& console) {
+  Progress progress(console, "reading");
+  BuildStage stage = BuildStage::kChoosing;
+  return build_stream(clip, options, sink, [&](const BuildProgress& now) {
+    if (now.stage != stage || now.frames_done <= 1) progress.start(stage_name(now.stage), now.frame_count);
+    stage = now.stage;
+    return progress.update(now.frames_done);
+  });
+}
+
+// The level that a size asked for became: the smallest that is not below it.
+Index achieved(Index asked, const std::vector<Index>& level_sizes) {
+  Index best = level_sizes.front();
+  for (const Index size : level_sizes)
+    if (size >= asked) best = size;
+  return best;
+}
+
+void print_report(const Arguments& arguments, const BuildReport& report, const Mesh& mesh, Console& console) {
+  const BuildStreamOptions& options = arguments.options;
+  console.print("{}: {} frames, {} vertices, {} triangles; {} bytes, {:.2f} bits per vertex and frame\n",
+                arguments.output.path, report.frame_count, mesh.vertex_count, mesh.triangles.size(),
+                report.stream_bytes, bits_per_vertex(report.stream_bytes, mesh.vertex_count, report.frame_count));
+  console.print("levels        {}\n", fmt::join(report.level_sizes, " "));
+  for (const Index asked : options.hierarchy.level_sizes) {
+    const Index size = achieved(asked, report.level_sizes);
+    if (size == asked) continue;
+    console.note("asked for a level of {} vertices, the nearest is {}{}", asked, size,
+                 asked < mesh.vertex_count && options.hierarchy.contract.topology == Topology::kPreserve
+                     ? ": isolated vertices and the topology keep more (see --topology free)"
+                     : "");
+  }
+  console.print("swaps         {:.1f} per frame (95th percentile {:.0f})\n", report.swaps.mean, report.swaps.p95);
+  console.print("bytes         {}\n", frame_bytes_line(report.bytes, report.frame_count));
+  console.print("first levels  from {} frames; growth exponent {:.3f}{}\n", report.base_frame_count, report.growth,
+                options.recluster.growth ? " (given)" : "");
+  const BuildReport::Times& s = report.seconds;
+  console.print("seconds       {:.2f}: first levels {:.2f}, reading {:.2f}, reclustering {:.2f}, encoding {:.2f}\n",
+                s.total, s.base, s.reading, s.reclustering, s.encoding);
+}
+
+Json to_json(const Arguments& arguments, const BuildReport& report, const Mesh& mesh) {
+  const BuildStreamOptions& options = arguments.options;
+  const BuildReport::Times& s = report.seconds;
+  Json asked = {{"branching", options.hierarchy.branching}, {"levels", options.hierarchy.level_sizes}};
+  asked["tolerance"] = options.encoder.lossless ? 0.0 : options.encoder.tolerance;
+  asked["key_interval"] = options.encoder.key_interval;
+  return {{"output", arguments.output.path},
+          {"frames", report.frame_count},
+          {"vertices", mesh.vertex_count},
+          {"triangles", mesh.triangles.size()},
+          {"asked", asked},
+          {"levels", report.level_sizes},
+          {"base_frames", report.base_frame_count},
+          {"growth", report.growth},
+          {"swaps", {{"mean", report.swaps.mean}, {"p95", report.swaps.p95}}},
+          {"bytes", report.stream_bytes},
+          {"bytes_per_frame", frame_bytes_json(report.bytes, report.frame_count)},
+          {"bits_per_vertex_and_frame", bits_per_vertex(report.stream_bytes, mesh.vertex_count, report.frame_count)},
+          {"seconds",
+           {{"base", s.base},
+            {"reading", s.reading},
+            {"reclustering", s.reclustering},
+            {"encoding", s.encoding},
+            {"total", s.total}}}};
+}
+
+Result<Exit> build(Arguments arguments, Console& console) {
+  check_arguments(arguments, console);
+  auto clip = open_any_clip(arguments.clip);
+  if (!clip) return clip.error();
+  std::optional<OutputFile> file;
+  ByteSink sink = [&](std::span<const std::byte> bytes) {
+    const std::span text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    return file ? file->write(text) : console.write_bytes(text);
+  };
+  if (arguments.output.is_standard_output()) {
+    console.results_go_to_standard_error();
+  } else {
+    Result<OutputFile> created = OutputFile::create(arguments.output.path, arguments.output.replace);
+    if (!created) return created.error();
+    file = std::move(*created);
+  }
+  arguments.options.threads = console.conventions.threads;
+  const Result<BuildReport> report = build_with_progress(**clip, arguments.options, sink, console);
+  if (!report && report.error().code == ErrorCode::kCancelled) return interruption();
+  if (!report)
+    return report.error().where.empty() ? in_file(arguments.clip.specification, report.error()) : report.error();
+  if (file) {
+    if (Result<void> committed = file->commit(); !committed) return committed.error();
+  }
+  print_report(arguments, *report, (*clip)->mesh(), console);
+  console.report("limber.build/1", to_json(arguments, *report, (*clip)->mesh()));
+  return Exit::kDone;
+}
+
+void declare_levels(CLI::App& app, BuildStreamOptions& options) {
+  app.add_option("--branching", options.hierarchy.branching, "how many times fewer vertices each level has")
+      ->check(in_range(1.05, 1e6))
+      ->type_name("X")
+      ->capture_default_str();
+  app.add_option("--levels", options.hierarchy.level_sizes,
+                 "exact vertex counts of levels, as in 3200,800; --branching adds those between and beyond")
+      ->delimiter(',')
+      ->check(in_range(1, kNone - 1.0))
+      ->type_name("N,N...");
+  static const std::map<std::string, Topology> kTopologies = {{"preserve", Topology::kPreserve},
+                                                              {"free", Topology::kFree}};
+  app.add_option("--topology", options.hierarchy.contract.topology,
+                 "preserve: every level is homeomorphic to the input (default); free: holes may close, necks collapse")
+      ->transform(CLI::CheckedTransformer(kTopologies, CLI::ignore_case).description(""))
+      ->type_name("preserve|free");
+  app.add_option("--base-frames", options.base_frames, "the first levels are made for so many frames, spread evenly")
+      ->check(in_range(1, 1000))
+      ->type_name("N")
+      ->capture_default_str();
+}
+
+void declare_reclustering(CLI::App& app, ReclusterOptions& options) {
+  app.add_option("--threshold", options.threshold,
+                 "least benefit of a swap, as a share of the mean error of the clusters on its level")
+      ->check(in_range(0, 1e6))
+      ->type_name("X")
+      ->capture_default_str();
+  app.add_option("--coarser-weight", options.coarser_weight, "weight of each level against the one below it")
+      ->check(above_zero(1e6))
+      ->type_name("X")
+      ->capture_default_str();
+  app.add_option("--growth", options.growth,
+                 "how fast errors grow as levels get smaller: an exponent; fitted to the clip where not given")
+      ->check(above_zero(10))
+      ->type_name("X");
+}
+
+void declare_encoding(CLI::App& app, EncoderOptions& options) {
+  CLI::Option* const tolerance =
+      app.add_option("--tolerance", options.tolerance,
+                     "how far a stored position may lie from that of the input, as a share of the diagonal")
+          ->check(in_range(1e-9, 0.1))
+          ->type_name("X")
+          ->capture_default_str();
+  app.add_flag("--lossless", options.lossless, "store every position bit by bit")->excludes(tolerance);
+  app.add_option("--keys", options.key_interval, "a frame that can be decoded alone, every so many frames")
+      ->check(in_range(1, 1e6))
+      ->type_name("N")
+      ->capture_default_str();
+}
+
+}  // namespace
+
+Action declare_build(CLI::App& app) {
+  const auto arguments = std::make_shared<Arguments>();
+  declare_clip(app, arguments->clip);
+  declare_output(app, arguments->output, "the stream: out.limber, or - for standard output");
+  declare_levels(app, arguments->options);
+  declare_reclustering(app, arguments->options.recluster);
+  declare_encoding(app, arguments->options.encoder);
+  return [arguments](Console& console) { return build(*arguments, console); };
+}
+
+}  // namespace limber::tool

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tool/open_source.h"
+
+#include <fmt/format.h>
+
+#include "limber/clip/input_file.h"
+#include "tool/exit.h"
+
+namespace limber::tool {
+
+bool is_stream(std::string_view path) { return lower_case_extension(path) == ".limber"; }
+
+Result<std::unique_ptr<eval::MeshSource>> open_any_meshes(const ClipArgument& argument,
+                                                          const std::optional<CutOptions>& cut) {
+  if (is_stream(argument.specification)) {
+    return eval::open_stream_meshes(argument.specification, cut, argument.options);
+  }
+  if (cut) {
+    throw UsageError(
+        fmt::format("only a .limber stream has levels of detail, and {} is none; leave out --vertices, "
+                    "--triangles, --level and --error",
+                    argument.specification));
+  }
+  return eval::open_meshes(argument.specification, argument.options);
+}
+
+Result<std::unique_ptr<eval::MeshSource>> open_original(const ClipArgument& argument) {
+  if (is_stream(argument.specification)) {
+    return eval::open_stream_meshes(argument.specification, std::nullopt, argument.options);
+  }
+  Result<std::unique_ptr<ClipReader>> clip = open_any_clip(argument);
+  if (!clip) return clip.error();
+  return eval::meshes_of(std::move(*clip));
+}
+
+}  // namespace limber::tool

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "limber/stream/decoder.h"
+#include "limber/view/cut.h"
+#include "limber/view/triangle_list.h"
+#include "tool/progress.h"
+#include "tool/ranges.h"
+#include "tool/stream_file.h"
+#include "tool/verb.h"
+
+namespace limber::tool {
+namespace {
+
+struct Arguments {
+  std::string file;
+  Index vertex_count = 800;
+  std::uint32_t repeat_count = 1;
+};
+
+// Milliseconds of every step played: [frames after the first x repetitions].
+struct Times {
+  std::vector<double> hierarchy, cut, list;  // decoding swaps; choosing the nodes; listing their triangles
+  std::vector<double> update;                // these three together
+  std::vector<double> positions;             // decoding positions and errors of all nodes
+  std::vector<double> copy;                  // copying the positions of the finest vertices, for comparison
+};
+
+struct Quantiles {
+  double median = 0, p95 = 0;
+};
+
+Quantiles quantiles(std::vector<double> values) {
+  if (values.empty()) return {};
+  std::sort(values.begin(), values.end());
+  return {values[(values.size() - 1) / 2], values[(values.size() * 95 + 99) / 100 - 1]};
+}
+
+class Stopwatch {
+ public:
+  // Milliseconds since the last call.
+  double lap() {
+    const Clock::time_point now = Clock::now();
+    const double time = std::chrono::duration<double, std::milli>(now - last_).count();
+    last_ = now;
+    return time;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point last_ = Clock::now();
+};
+
+class Playing {
+ public:
+  Playing(Decoder decoder, Index vertex_count) : decoder_(std::move(decoder)), vertex_count_(vertex_count) {
+    decoder_.prepare(state_);
+    copy_.resize(decoder_.mesh().vertex_count);
+  }
+
+  // Plays all frames. The first, whose memory is not warm and which is always a key, is not among the times.
+  Result<void> run(Times& times, Progress& progress, std::uint32_t frames_done);
+
+  const Decoder& decoder() const { return decoder_; }
+  std::size_t triangle_count() const { return list_.triangles.size(); }
+  Index active_count() const { return active_count_; }
+
+ private:
+  Decoder decoder_;
+  Index vertex_count_;
+  FrameState state_;
+  TriangleList list_;
+  std::vector<Vec3f> copy_;  // [vertex_count of the mesh]
+  Index active_count_ = 0;
+};
+
+Result<void> Playing::run(Times& times, Progress& progress, std::uint32_t frames_done) {
+  const Mesh& mesh = decoder_.mesh();
+  if (Result<void> decoded = decoder_.decode(0, state_); !decoded) return decoded;
+  Cut cut(mesh, state_.hierarchy, {.by = CutBy::kVertices, .budget = vertex_count_});
+  cut.update(mesh, state_);
+  list_triangles(mesh, cut, list_);
+  for (std::uint32_t frame = 1; frame < decoder_.available_frames(); ++frame) {
+    Stopwatch watch;
+    if (Result<void> decoded = decoder_.decode_hierarchy(frame, state_); !decoded) return decoded;
+    times.hierarchy.push_back(watch.lap());
+    if (Result<void> decoded = decoder_.decode_positions(frame, state_); !decoded) return decoded;
+    times.positions.push_back(watch.lap());
+    cut.update(mesh, state_);
+    times.cut.push_back(watch.lap());
+    list_triangles(mesh, cut, list_);
+    times.list.push_back(watch.lap());
+    std::copy_n(state_.positions.begin(), copy_.size(), copy_.begin());
+    times.copy.push_back(watch.lap());
+    times.update.push_back(times.hierarchy.back() + times.cut.back() + times.list.back());
+    if (!progress.update(frames_done + frame + 1)) return Error{ErrorCode::kCancelled, "", "interrupted"};
+  }
+  active_count_ = cut.active_count();
+  return {};
+}
+
+Result<Exit> play(const Arguments& arguments, Console& console) {
+  const Result<StreamFile> file = StreamFile::open(arguments.file);
+  if (!file) return file.error();
+  Result<Decoder> decoder = open_decoder(*file);
+  if (!decoder) return decoder.error();
+  const std::uint32_t frame_count = decoder->available_frames();
+  if (frame_count == 0)
+    return Error{ErrorCode::kTruncated, file->name(), "ends before its first frame is whole; copy it again"};
+  Playing playing(std::move(*decoder), arguments.vertex_count);
+  Times times;
+  Progress progress(console, "playing", std::uint64_t{frame_count} * arguments.repeat_count);
+  for (std::uint32_t i = 0; i < arguments.repeat_count; ++i) {
+    const Result<void> played = playing.run(times, progress, i * frame_count);
+    if (!played && played.error().code == ErrorCode::kCancelled) return played.error();
+    if (!played) return in_file(file->name(), played.error());
+  }
+  progress.finish();
+
+  const Mesh& mesh = playing.decoder().mesh();
+  console.print(
+      "{}: {} frames of {} vertices, each {} times; the last cut has {} vertices (asked: at most {}), {} triangles\n\n",
+      one_line(file->name()), frame_count, mesh.vertex_count, arguments.repeat_count, playing.active_count(),
+      arguments.vertex_count, playing.triangle_count());
+  console.print("{:<34} {:>10} {:>16}\n", "milliseconds per frame", "median", "95th percentile");
+  Json json = {{"file", file->name()},
+               {"frames", frame_count},
+               {"vertices", mesh.vertex_count},
+               {"repeat", arguments.repeat_count},
+               {"asked_vertices", arguments.vertex_count},
+               {"cut_vertices", playing.active_count()},
+               {"cut_triangles", playing.triangle_count()}};
+  const auto row = [&](const char* label, const char* name, const std::vector<double>& values) {
+    const Quantiles q = quantiles(values);
+    console.print("{:<34} {:>10.4f} {:>16.4f}\n", label, q.median, q.p95);
+    json["milliseconds"][name] = {{"median", q.median}, {"p95", q.p95}};
+  };
+  row("update: hierarchy, cut, triangles", "update", times.update);
+  row("  hierarchy", "hierarchy", times.hierarchy);
+  row("  cut", "cut", times.cut);
+  row("  triangles", "triangles", times.list);
+  row("positions", "positions", times.positions);
+  row("a plain copy of the positions", "copy", times.copy);
+  json["update_p95_per_10000_vertices"] = quantiles(times.update).p95 * 10000 / std::max<Index>(1, mesh.vertex_count);
+  console.report("limber.play/1", json);
+  return Exit::kDone;
+}
+
+}  // namespace
+
+Action declare_play(CLI::App& app) {
+  const auto arguments = std::make_shared<Arguments>();
+  app.add_option("FILE", arguments->file, "a stream; - for standard input")->required();
+  app.add_option("--vertices", arguments->vertex_count, "cut to at most so many vertices")
+      ->check(in_range(1, kNone - 1.0))
+      ->type_name("N")
+      ->capture_default_str();
+  app.add_option("--repeat", arguments->repeat_count, "play so many times")
+      ->check(in_range(1, 10000))
+      ->type_name("N")
+      ->capture_default_str();
+  return [arguments](Console& console) { return play(*arguments, console); };
+}
+
+}  // namespace limber::tool
