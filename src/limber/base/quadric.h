@@ -18,8 +18,8 @@ struct Quadric {
   static Quadric plane(const Vec3d& normal, const Vec3d& point, double weight) {
     const double offset = -dot(normal, point);
     const Vec3d wn = normal * weight;
-    return {wn.x * normal.x, wn.x * normal.y, wn.x * normal.z, wn.y * normal.y, wn.y * normal.z, wn.z * normal.z,
-            wn.x * offset,   wn.y * offset,   wn.z * offset,   weight * offset * offset};
+    return {wn.x * normal.x, wn.x * normal.y, wn.x * normal.z, wn.y * normal.y, wn.y * normal.z,
+            wn.z * normal.z, wn.x * offset,   wn.y * offset,   wn.z * offset,   weight * offset * offset};
   }
 
   // Adds weight x squared distance to `point`.
@@ -62,13 +62,13 @@ struct QuadricMinimum {
 // Where Q is smallest, by an LDL' factorisation. Precondition: A is positive definite, which every quadric is that
 // holds a point (see contract/vertex_quadrics.h); a quadric without one gives a finite but meaningless answer.
 inline QuadricMinimum minimum(const Quadric& q) {
-  constexpr double kTiny = 1e-300;
-  const double i0 = 1.0 / std::max(q.xx, kTiny);
+  const auto inverse = [](double pivot) { return pivot > 1e-300 ? 1.0 / pivot : 0.0; };
+  const double i0 = inverse(q.xx);
   const double l10 = q.xy * i0, l20 = q.xz * i0;
-  const double i1 = 1.0 / std::max(q.yy - l10 * q.xy, kTiny);
+  const double i1 = inverse(q.yy - l10 * q.xy);
   const double m21 = q.yz - l20 * q.xy;
   const double l21 = m21 * i1;
-  const double i2 = 1.0 / std::max(q.zz - l20 * q.xz - l21 * m21, kTiny);
+  const double i2 = inverse(q.zz - l20 * q.xz - l21 * m21);
   const double y0 = -q.bx;
   const double y1 = -q.by - l10 * y0;
   const double y2 = -q.bz - l20 * y0 - l21 * y1;

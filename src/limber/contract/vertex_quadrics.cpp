@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "limber/contract/vertex_quadrics.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "limber/contract/edges.h"
@@ -52,8 +53,13 @@ void VertexQuadrics::compute(std::span<const Vec3d> positions, std::span<Quadric
   // A vertex without area still needs a place of its own.
   const auto vertex_count = static_cast<double>(areas_.size());
   const double least_area = total_area > 0 ? 1e-6 * total_area / vertex_count : 1 / vertex_count;
-  for (std::size_t v = 0; v < areas_.size(); ++v)
-    quadrics[v].add_point(positions[v], options_.point_weight * std::max(areas_[v], least_area));
+  // Where triangles are slivers, a border is all that counts; the point must not drown in the rounding of its planes.
+  constexpr double kLeastShare = 1e-10;
+  for (std::size_t v = 0; v < areas_.size(); ++v) {
+    Quadric& q = quadrics[v];
+    const double weight = options_.point_weight * std::max(areas_[v], least_area);
+    q.add_point(positions[v], std::max(weight, kLeastShare * (q.xx + q.yy + q.zz)));
+  }
 }
 
 }  // namespace limber

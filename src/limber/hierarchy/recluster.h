@@ -36,6 +36,8 @@ class Reclusterer {
  public:
   // `base` is any valid hierarchy over the mesh (build.h), which must outlive this object.
   Reclusterer(const Mesh& mesh, Hierarchy base, const ReclusterOptions& options);
+  Reclusterer(const Reclusterer&) = delete;  // its parts refer to each other
+  Reclusterer& operator=(const Reclusterer&) = delete;
 
   // Adapts the hierarchy to the next frame; positions: [vertex_count], finite. Gives the net parent changes since the
   // frame before, by node; in the first frame, the improvements of the base hierarchy, made without a threshold.

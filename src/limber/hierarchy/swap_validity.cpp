@@ -32,7 +32,7 @@ bool SwapValidity::are_joined(const LevelGraph& graph, Index cluster, Index othe
                               Index except) const {
   return any_of(cluster, levels_up, [&](Index member) {
     if (member == except) return false;
-    if (other == kNone) return graph.star_of(member) == Star::kBorder;
+    if (other == kNone) return graph.star_of(member) != Star::kClosed;
     const auto around = graph.around(member);
     return std::any_of(around.begin(), around.end(),
                        [&](Index n) { return n != except && ancestor(n, levels_up) == other; });
@@ -70,7 +70,7 @@ bool SwapValidity::keeps_homeomorphism(const LevelGraph& graph, Index node, Inde
 // Whether the node has a neighbour in `to`, and those that it has in `from` are connected with each other inside `from`
 // without it: searched from one of them until all are found.
 bool SwapValidity::keeps_connection(const LevelGraph& graph, Index node, Index from, Index to, Index levels_up) {
-  if (mark_.size() < hierarchy_.node_count()) mark_.resize(hierarchy_.node_count(), 0);
+  if (mark_.size() < hierarchy_.node_count() || stamp_ > kNone - 2) mark_.assign(hierarchy_.node_count(), stamp_ = 0);
   const Index sought = ++stamp_, found = ++stamp_;
   std::size_t left = 0;
   Index start = kNone;
