@@ -114,11 +114,12 @@ inline Shape subdivided(const Shape& coarse) {
   return fine;
 }
 
-// An octahedron cut `depth` times and blown up to the unit sphere: 4^(depth + 1) + 2 vertices.
+// An octahedron cut `depth` times.
+inline Shape cut_octahedron(int depth) { return depth == 0 ? octahedron() : subdivided(cut_octahedron(depth - 1)); }
+
+// The same blown up to the unit sphere: 4^(depth + 1) + 2 vertices.
 inline Shape sphere(int depth) {
-  Shape s = octahedron();
-  for (; depth > 0; --depth) s = subdivided(s);
-  return moved(s, [](Vec3f p) { return p * (1 / length(p)); });
+  return moved(cut_octahedron(depth), [](Vec3f p) { return p * (1 / length(p)); });
 }
 
 // A closed torus of around x along vertices, both at least 3.
