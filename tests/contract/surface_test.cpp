@@ -133,6 +133,20 @@ TEST(Surface, RefusesEveryEdgeOfATriangleAndOfATetrahedron) {
   }
 }
 
+TEST(Surface, RefusesEveryEdgeOfTwoTrianglesBackToBack) {
+  Checked checked({3, {{0, 1, 2}, {2, 1, 0}}});
+  for (Index e = 0; e < checked.surface.edge_count(); ++e) EXPECT_FALSE(checked.surface.keeps_topology(e));
+}
+
+TEST(Surface, RefusesToFlattenATetrahedronThatHangsAtAVertex) {
+  Shape both = test::together(test::octahedron(), test::tetrahedron(), 5);
+  for (Triangle& t : both.mesh.triangles)
+    for (Index& corner : t)
+      if (corner == 6) corner = 0;
+  Checked checked(both.mesh);
+  for (const Index other : {7u, 8u, 9u}) EXPECT_FALSE(checked.surface.keeps_topology(checked.edge(0, other)));
+}
+
 TEST(Surface, RefusesToCloseAHoleOfThreeEdges) {
   Shape ball = test::sphere(1);
   const Triangle hole = ball.mesh.triangles.back();
@@ -285,6 +299,50 @@ TEST(Surface, KeepsItsListsThroughRandomContractionsOfAnything) {
       ASSERT_NO_FATAL_FAILURE(checked.expect_consistent());
     }
     ASSERT_EQ(checked.surface.vertex_count(), components);
+  }
+}
+
+// Spheres and sheets glued together at random vertices.
+Mesh glued(Random& random) {
+  Shape parts = test::octahedron();
+  for (int i = 0; i < 5; ++i) {
+    const std::uint32_t kind = random.below(4);
+    parts = test::together(parts,
+                           kind == 0   ? test::tetrahedron()
+                           : kind == 1 ? test::sheet(4, 3)
+                           : kind == 2 ? test::octahedron()
+                                       : test::torus(3, 4),
+                           0);
+  }
+  for (int i = 0; i < 12; ++i) {
+    const Index from = random.below(parts.mesh.vertex_count), to = random.below(parts.mesh.vertex_count);
+    for (Triangle& t : parts.mesh.triangles)
+      for (Index& corner : t)
+        if (corner == from) corner = to;
+  }
+  return parts.mesh;
+}
+
+TEST(Surface, LeavesAVertexRegularThatTookInRegularOnesOnly) {
+  Random random(4);
+  for (int round = 0; round < 150; ++round) {
+    Checked checked(glued(random));
+    const std::vector<bool> regular = test::regular_vertices(checked.mesh.vertex_count, checked.mesh.triangles);
+    for (int refused_in_a_row = 0; refused_in_a_row < 30; ++refused_in_a_row) {
+      const auto living = checked.living_edges();
+      if (living.empty()) break;
+      const Index e = living[random.below(static_cast<Index>(living.size()))];
+      if (!checked.surface.keeps_topology(e)) continue;
+      checked.contract(e);
+      refused_in_a_row = 0;
+    }
+    const std::vector<bool> regular_now = test::regular_vertices(checked.mesh.vertex_count, checked.triangles());
+    for (Index v = 0; v < checked.mesh.vertex_count; ++v) {
+      bool all_regular = true;
+      for (Index w = 0; w < checked.mesh.vertex_count; ++w)
+        if (checked.image[w] == checked.image[v]) all_regular = all_regular && regular[w];
+      ASSERT_TRUE(!all_regular || regular_now[checked.image[v]]) << "round " << round << ", vertex " << v;
+    }
   }
 }
 

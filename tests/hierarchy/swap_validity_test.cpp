@@ -262,7 +262,7 @@ TEST(SwapValidity, KeepsItsPromiseOnMeshesWithNonManifoldParts) {
     shape.mesh.triangles.push_back({random.below(81), random.below(81), random.below(81)});
     for (const Topology topology : kBoth) {
       BuildOptions options;
-      options.level_sizes = {shape.mesh.vertex_count / 2, shape.mesh.vertex_count / 3};
+      options.level_sizes = {shape.mesh.vertex_count / 3, shape.mesh.vertex_count / 6};
       options.contract.topology = topology;
       const std::span<const Vec3f> frames[] = {shape.positions};
       const Hierarchy h = build_hierarchy(shape.mesh, frames, options);

@@ -77,26 +77,24 @@ bool Surface::keeps_topology(Index edge) {
   //        y
   const auto [u, v] = ends(edge);
   bool u_singular = false, v_singular = false;
-  Index u_valence = 0, v_valence = 0;
   ++stamp_;
   for_each_edge(u, [&](Index e, Index w) {
     vertices_[w].mark = stamp_;
     vertices_[w].marked_edge = e;
     u_singular |= is_singular(e);
-    ++u_valence;
   });
   Index joined_to_both = 0;
   bool meets_outside = false;
   for_each_edge(v, [&](Index e, Index w) {
     v_singular |= is_singular(e);
-    ++v_valence;
     if (vertices_[w].mark != stamp_) return;  // u itself is not marked
     ++joined_to_both;
     meets_outside |= is_singular(e) && is_singular(vertices_[w].marked_edge);
   });
   if (meets_outside || (u_singular && v_singular && !is_singular(edge))) return false;
-  // Inside a manifold there are two triangles on the edge, and only a tetrahedron has an edge across.
-  if (!u_singular && !v_singular && (u_valence > 3 || v_valence > 3)) return joined_to_both == 2;
+  // The two triangles of an edge must be different ones. Only a tetrahedron has an edge across; it may hang at a
+  // vertex that has other triangles too.
+  if (!is_singular(edge) && joined_to_both != 2) return false;
   return joined_to_both == count_across(u, v) && !(has_edge_across(u, v) && has_edge_across(v, u));
 }
 
