@@ -67,7 +67,7 @@ class Playing {
 
   const Decoder& decoder() const { return decoder_; }
   std::size_t triangle_count() const { return list_.triangles.size(); }
-  Index active_count() const { return active_count_; }
+  Index vertex_count() const { return active_count_; }
 
  private:
   Decoder decoder_;
@@ -99,7 +99,7 @@ Result<void> Playing::run(Times& times, Progress& progress, std::uint32_t frames
     times.update.push_back(times.hierarchy.back() + times.cut.back() + times.list.back());
     if (!progress.update(frames_done + frame + 1)) return Error{ErrorCode::kCancelled, "", "interrupted"};
   }
-  active_count_ = cut.active_count();
+  active_count_ = cut.vertex_count();
   return {};
 }
 
@@ -124,7 +124,7 @@ Result<Exit> play(const Arguments& arguments, Console& console) {
   const Mesh& mesh = playing.decoder().mesh();
   console.print(
       "{}: {} frames of {} vertices, each {} times; the last cut has {} vertices (asked: at most {}), {} triangles\n\n",
-      one_line(file->name()), frame_count, mesh.vertex_count, arguments.repeat_count, playing.active_count(),
+      one_line(file->name()), frame_count, mesh.vertex_count, arguments.repeat_count, playing.vertex_count(),
       arguments.vertex_count, playing.triangle_count());
   console.print("{:<34} {:>10} {:>16}\n", "milliseconds per frame", "median", "95th percentile");
   Json json = {{"file", file->name()},
@@ -132,7 +132,7 @@ Result<Exit> play(const Arguments& arguments, Console& console) {
                {"vertices", mesh.vertex_count},
                {"repeat", arguments.repeat_count},
                {"asked_vertices", arguments.vertex_count},
-               {"cut_vertices", playing.active_count()},
+               {"cut_vertices", playing.vertex_count()},
                {"cut_triangles", playing.triangle_count()}};
   const auto row = [&](const char* label, const char* name, const std::vector<double>& values) {
     const Quantiles q = quantiles(values);

@@ -15,13 +15,14 @@
 #include "limber/contract/contract.h"
 
 #include <cassert>
+#include <utility>
 
 #include "limber/contract/edges.h"
 
 namespace limber {
 
 Contractor::Contractor(const Mesh& mesh, std::span<const std::span<const Vec3f>> frames, const ContractOptions& options)
-    : Contractor(in_spatial_order(mesh, frames[0]), frames, options) {}
+    : Contractor(in_spatial_order(mesh, (assert(!frames.empty()), frames[0])), frames, options) {}
 
 Contractor::Contractor(SpatialMesh placed, std::span<const std::span<const Vec3f>> frames,
                        const ContractOptions& options)
@@ -119,6 +120,15 @@ void Contractor::fetch_ahead() const {
     surface_.fetch_neighbours(e, [this](Index v) { __builtin_prefetch(&positions_[v * frame_count_]); });
 }
 
+// Lets every vertex lead to its representative at once.
+void Contractor::shorten_chains() {
+  for (Index v = 0; v < merged_into_.size(); ++v) {
+    Index root = v;
+    while (merged_into_[root] != kNone) root = merged_into_[root];
+    for (Index at = v; at != root;) at = std::exchange(merged_into_[at], root);
+  }
+}
+
 Index Contractor::contract_to(Index target) {
   bool progress = true;
   const auto reprice = [this](Index edge, float old_cost) {
@@ -159,6 +169,7 @@ Index Contractor::contract_to(Index target) {
     apply(edge);
     progress = true;
   }
+  shorten_chains();
   return surface_.vertex_count();
 }
 

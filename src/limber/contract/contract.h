@@ -44,8 +44,8 @@ class Contractor {
   // The vertex that stands for v now; itself if it has not been contracted.
   Index representative(Index v) const;
 
-  // Where a representative lies in a frame: the minimum of its quadric, or the input's position of a vertex that
-  // nothing was contracted into.
+  // Where a representative lies in a frame: the minimum of its quadric, or, up to the rounding of single precision, the
+  // input's position of a vertex that nothing was contracted into.
   Vec3f position(Index representative, std::size_t frame) const;
 
  private:
@@ -56,6 +56,7 @@ class Contractor {
   float cost(Index edge) const;
   void enqueue(Index edge);
   void fetch_ahead() const;
+  void shorten_chains();
   bool folds_over(Index edge);
   void apply(Index edge);
 

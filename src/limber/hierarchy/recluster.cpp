@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 
 #include "limber/base/portable_math.h"
 
@@ -27,7 +28,8 @@ namespace limber {
 namespace {
 
 constexpr double kPaperGrowth = 1.9127;
-constexpr double kRounding = 1e-18;  // of errors of a surface of unit size
+constexpr double kLeastGrowth = 1, kMostGrowth = 3;  // beyond, the fit has met something else
+constexpr double kRounding = 1e-18;                  // of errors of a surface of unit size
 
 }  // namespace
 
@@ -72,18 +74,22 @@ void Reclusterer::place_all() {
   for (Index node = vertex_count; node < node_count; ++node) place(node);
 }
 
-// The slope of log(total error) over log(size), by least squares over the levels above the finest.
+// The slope of log(total error) over log(size), by least squares over the levels above the finest. Levels that the
+// topology kept from shrinking say nothing about it.
 double Reclusterer::fitted_growth() const {
   double count = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
   for (Index level = 1; level < hierarchy_.level_count(); ++level) {
     const double error = total_error(level);
-    if (!(error > 0)) continue;
+    if (!(error > 0) ||
+        5 * std::uint64_t{hierarchy_.level_size(level)} > 4 * std::uint64_t{hierarchy_.level_size(level - 1)})
+      continue;
     const double x = portable_log(hierarchy_.level_size(level)), y = portable_log(error);
     count += 1, sx += x, sy += y, sxx += x * x, sxy += x * y;
   }
   const double spread = count * sxx - sx * sx;
   if (count < 2 || !(spread > 0)) return kPaperGrowth;
-  return std::clamp(-(count * sxy - sx * sy) / spread, 0.5, 4.0);
+  const double growth = -(count * sxy - sx * sy) / spread;
+  return growth >= kLeastGrowth && growth <= kMostGrowth ? growth : kPaperGrowth;
 }
 
 // Equation 1 on the node's level and, weighted by equation 2, on all coarser ones up to the first common cluster.
