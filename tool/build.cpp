@@ -197,7 +197,8 @@ void declare_encoding(CLI::App& app, EncoderOptions& options) {
           ->check(in_range(1e-9, 0.1))
           ->type_name("X")
           ->capture_default_str();
-  app.add_flag("--lossless", options.lossless, "store every position bit by bit; not with --tolerance")->excludes(tolerance);
+  app.add_flag("--lossless", options.lossless, "store every position bit by bit; not with --tolerance")
+      ->excludes(tolerance);
   app.add_option("--keys", options.key_interval, "a frame that can be decoded alone, every so many frames")
       ->check(in_range(1, 1e6))
       ->type_name("N")
