@@ -160,11 +160,12 @@ void declare_levels(CLI::App& app, BuildStreamOptions& options) {
                  "exact vertex counts of levels, as in 3200,800; --branching adds those between and beyond")
       ->delimiter(',')
       ->check(in_range(1, kNone - 1.0))
-      ->type_name("N,N...");
+      ->type_name("N,N");
   static const std::map<std::string, Topology> kTopologies = {{"preserve", Topology::kPreserve},
                                                               {"free", Topology::kFree}};
-  app.add_option("--topology", options.hierarchy.contract.topology,
-                 "preserve: every level is homeomorphic to the input (default); free: holes may close, necks collapse")
+  app.add_option(
+         "--topology", options.hierarchy.contract.topology,
+         "preserve: every level is homeomorphic to the input; free: holes may close and necks collapse (preserve)")
       ->transform(CLI::CheckedTransformer(kTopologies, CLI::ignore_case).description(""))
       ->type_name("preserve|free");
   app.add_option("--base-frames", options.base_frames, "the first levels are made for so many frames, spread evenly")
@@ -196,7 +197,7 @@ void declare_encoding(CLI::App& app, EncoderOptions& options) {
           ->check(in_range(1e-9, 0.1))
           ->type_name("X")
           ->capture_default_str();
-  app.add_flag("--lossless", options.lossless, "store every position bit by bit")->excludes(tolerance);
+  app.add_flag("--lossless", options.lossless, "store every position bit by bit; not with --tolerance")->excludes(tolerance);
   app.add_option("--keys", options.key_interval, "a frame that can be decoded alone, every so many frames")
       ->check(in_range(1, 1e6))
       ->type_name("N")

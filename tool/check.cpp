@@ -270,7 +270,7 @@ Action declare_check(CLI::App& app) {
                                  ->check(in_range(0, 4294967295.0))
                                  ->type_name("N")
                                  ->capture_default_str();
-  app.add_flag("--all", arguments->seek_all, "seek every frame")->excludes(seeks);
+  app.add_flag("--all", arguments->seek_all, "seek every frame; not with --seeks")->excludes(seeks);
   declare_clip(app, arguments->against, "--against");
   app.get_option("--against")->required(false)->type_name("CLIP");
   return [arguments](Console& console) { return check(*arguments, console); };

@@ -39,7 +39,7 @@ void Console::write(std::FILE* file, std::string_view text) {
 
 void Console::say(std::string_view line) {
   show_line("");
-  write(err_, "limber: " + one_line(line) + "\n");
+  write(err_, fmt::format("limber: {}\n", one_line(line)));
 }
 
 void Console::report(std::string_view schema, const Json& members) {
@@ -62,7 +62,7 @@ Result<void> Console::write_bytes(std::span<const char> bytes) {
   errno = 0;
   if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) == bytes.size()) return {};
   return Error{ErrorCode::kIo, "standard output",
-               "cannot be written: " + std::generic_category().message(errno != 0 ? errno : EIO)};
+               fmt::format("cannot be written: {}", std::generic_category().message(errno != 0 ? errno : EIO))};
 }
 
 bool Console::shows_progress() const {
@@ -85,7 +85,7 @@ Result<void> Console::flush() {
   if (std::fflush(out_) != 0 && write_error_ == 0) write_error_ = errno != 0 ? errno : EIO;
   if (write_error_ == 0 || write_error_ == EPIPE) return {};
   return Error{ErrorCode::kIo, "standard output",
-               "cannot be written: " + std::generic_category().message(write_error_)};
+               fmt::format("cannot be written: {}", std::generic_category().message(write_error_))};
 }
 
 }  // namespace limber::tool

@@ -48,7 +48,7 @@ class Console {
   // The same, with -q too.
   template <class... Arguments>
   void warn(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-    say("warning: " + fmt::format(format, std::forward<Arguments>(arguments)...));
+    say(fmt::format("warning: {}", fmt::format(format, std::forward<Arguments>(arguments)...)));
   }
 
   // One line on standard error, and with --json the same on standard output. Gives `exit`.

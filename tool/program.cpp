@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <exception>
 #include <filesystem>
+#include <memory>
 #include <new>
 #include <optional>
 #include <system_error>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "limber/clip/mesh_file.h"
+#include "tool/help_formatter.h"
 #include "tool/ranges.h"
 #include "tool/suggest.h"
 #include "tool/threads.h"
@@ -102,7 +104,7 @@ void declare_conventions(CLI::App& app, const Verb& verb, Conventions& conventio
     rest.remove_prefix(end + 1);
   }
   app.footer(footer);
-  app.get_formatter()->column_width(26);
+  app.formatter(std::make_shared<HelpFormatter>());
   app.set_help_flag("-h,--help", "show this help");
   app.add_flag("--json", conventions.json, "results, and errors, as JSON on standard output");
   app.add_flag("-q,--quiet", conventions.quiet, "no messages and no progress");
@@ -126,7 +128,7 @@ Exit act(const Action& action, Console& console, const std::string& name) {
   } catch (const std::bad_alloc&) {
     return console.fail({ErrorCode::kIo, "", "not enough memory"}, Exit::kFailure, "memory");
   } catch (const std::exception& error) {
-    return console.fail({ErrorCode::kIo, "", std::string("unexpected: ") + error.what()}, Exit::kFailure, "failure");
+    return console.fail({ErrorCode::kIo, "", fmt::format("unexpected: {}", error.what())}, Exit::kFailure, "failure");
   }
 }
 

@@ -52,7 +52,7 @@ bool Progress::update(std::uint64_t done) {
   if (is_shown_ && now - last_shown_ >= std::chrono::milliseconds(100)) {
     last_shown_ = now;
     const std::string line = progress_line(what_, done, total_, std::chrono::duration<double>(now - started_).count());
-    console_.show_line(console_.uses_color() ? "\x1b[32m" + line + "\x1b[0m" : line);
+    console_.show_line(console_.uses_color() ? fmt::format("\x1b[32m{}\x1b[0m", line) : line);
   }
   return !interrupted();
 }

@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <system_error>
@@ -16,7 +17,7 @@ namespace {
 Error system_error(const std::string& name) {
   const int error = errno != 0 ? errno : EIO;
   if (error == ENOENT) return {ErrorCode::kNotFound, name, "no such file"};
-  return {ErrorCode::kIo, name, "cannot be read: " + std::generic_category().message(error)};
+  return {ErrorCode::kIo, name, fmt::format("cannot be read: {}", std::generic_category().message(error))};
 }
 
 // To the end: pipes have no size.
@@ -69,7 +70,7 @@ Result<StreamFile> StreamFile::open(const std::string& path) {
 }
 
 Error in_file(const std::string& name, const Error& error) {
-  return {error.code, error.where.empty() ? name : name + ": " + error.where, error.what};
+  return {error.code, error.where.empty() ? name : fmt::format("{}: {}", name, error.where), error.what};
 }
 
 Result<Decoder> open_decoder(const StreamFile& file) {

@@ -47,7 +47,7 @@ Result<MeshFile> read_mesh(const std::filesystem::path& path) {
   std::string bytes;
   if (Result<void> done = read_file(path, bytes); !done) return done.error();
   MeshFile file;
-  MeshSink sink(file.positions, file.mesh.triangles);
+  MeshSink sink = MeshSink::collecting(file.positions, file.mesh.triangles);
   if (Result<void> done = read_mesh(bytes, path, sink); !done) return done.error();
   file.mesh.vertex_count = static_cast<Index>(file.positions.size());
   return file;

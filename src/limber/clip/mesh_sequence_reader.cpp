@@ -46,7 +46,7 @@ class MeshSequenceReader final : public ClipReader {
  private:
   Result<void> read_file_of(const std::filesystem::path& path) {
     if (Result<void> done = read_file(path, bytes_); !done) return done;
-    MeshSink sink(positions_, mesh_.triangles);
+    MeshSink sink = MeshSink::comparing(positions_, mesh_.triangles);
     if (Result<void> done = read_mesh(bytes_, path, sink); !done) return done;
     return compare(sink, path);
   }

@@ -23,15 +23,13 @@ class MeshSink {
     Triangle corners{};
   };
 
-  // Both clear `positions`; what they refer to must outlive the sink.
-  MeshSink(std::vector<Vec3f>& positions, std::vector<Triangle>& triangles)
-      : positions_(positions), triangles_(&triangles) {
-    positions.clear();
+  // Both clear what they collect into; what they are given must outlive the sink.
+  static MeshSink collecting(std::vector<Vec3f>& positions, std::vector<Triangle>& triangles) {
     triangles.clear();
+    return MeshSink(positions, &triangles, {});
   }
-  MeshSink(std::vector<Vec3f>& positions, std::span<const Triangle> expected)
-      : positions_(positions), expected_(expected) {
-    positions.clear();
+  static MeshSink comparing(std::vector<Vec3f>& positions, std::span<const Triangle> expected) {
+    return MeshSink(positions, nullptr, expected);
   }
 
   // Room for what a file promises; the caller has checked that the file is long enough to hold it.
@@ -54,6 +52,11 @@ class MeshSink {
   const std::optional<Difference>& difference() const { return difference_; }
 
  private:
+  MeshSink(std::vector<Vec3f>& positions, std::vector<Triangle>* triangles, std::span<const Triangle> expected)
+      : positions_(positions), triangles_(triangles), expected_(expected) {
+    positions.clear();
+  }
+
   void add_triangle(const Triangle& corners) {
     if (triangles_) {
       triangles_->push_back(corners);
@@ -64,7 +67,7 @@ class MeshSink {
   }
 
   std::vector<Vec3f>& positions_;
-  std::vector<Triangle>* triangles_ = nullptr;
+  std::vector<Triangle>* triangles_;  // null: compare
   std::span<const Triangle> expected_;
   std::uint64_t triangle_count_ = 0;
   std::optional<Difference> difference_;

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/tool/run.h"
+
+namespace limber::test {
+namespace {
+
+using tool::Exit;
+using Play = ToolTest;
+
+TEST_F(Play, ReportsTheTimesOfEveryStep) {
+  const Ran ran = run({"play", stream(), "--vertices", "100", "--repeat", "2", "--json"});
+  ASSERT_EQ(ran.exit, Exit::kDone) << ran.err;
+  const auto json = ran.json();
+  EXPECT_EQ(json["schema"], "limber.play/1");
+  EXPECT_LE(json["cut_vertices"], 100);
+  EXPECT_GT(json["cut_triangles"], 100);
+  for (const char* step : {"update", "hierarchy", "cut", "triangles", "positions", "copy"}) {
+    EXPECT_GE(json["milliseconds"][step]["median"], 0.0) << step;
+    EXPECT_GE(json["milliseconds"][step]["p95"], json["milliseconds"][step]["median"]) << step;
+  }
+}
+
+TEST_F(Play, AStreamOfOneFrameHasNoSteps) {
+  const Ran ran = run({"play", stream("a.limber", {"--last", "0"}), "--json"});
+  EXPECT_EQ(ran.exit, Exit::kDone) << ran.err;
+}
+
+}  // namespace
+}  // namespace limber::test
