@@ -18,13 +18,13 @@ struct MethodOptions {
   // How large an approximation may be; one of the two, > 0, the other 0. Isolated vertices do not count.
   Index vertices = 0;
   Index triangles = 0;
-  ContractOptions contract;  // its topology is that of every method
+  ContractOptions contract{};  // its topology is that of every method
 
   // Of the multilevel method: as BuildOptions and ReclusterOptions, and `limber build`. Where no level sizes are
   // given a vertex count is the exact size of a level, and the levels around it are spaced as `branching` says.
   double branching = 8;
-  std::vector<Index> level_sizes;
-  std::optional<double> growth;
+  std::vector<Index> level_sizes{};
+  std::optional<double> growth{};
   double coarser_weight = 0.2;
   double threshold = 0.05;
 };

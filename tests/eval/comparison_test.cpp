@@ -48,7 +48,9 @@ TEST(Comparison, HoldsEveryMethodAgainstTheFirst) {
 
 TEST(Comparison, AMethodThatLeavesNothingIsAnError) {
   const MethodInfo* const methods[] = {find_method("direct")};
-  Comparison comparison(methods, {.vertices = 2, .contract = {.topology = Topology::kFree}}, kFew);
+  MethodOptions options{.vertices = 2};
+  options.contract.topology = Topology::kFree;
+  Comparison comparison(methods, options, kFew);
   Mesh mesh;
   const Result<void> compared = compare(comparison, mesh);
   ASSERT_FALSE(compared);

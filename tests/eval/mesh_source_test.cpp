@@ -38,7 +38,9 @@ TEST_F(MeshSourceTest, TheConnectivityOfFilesMayChange) {
 }
 
 TEST_F(MeshSourceTest, FramesCanBeChosen) {
-  const auto source = open_meshes(folder_.string(), {.first = 4});
+  ClipOptions options;
+  options.first = 4;
+  const auto source = open_meshes(folder_.string(), options);
   ASSERT_TRUE(source);
   EXPECT_EQ((*source)->first_frame_number(), 4u);
   EXPECT_EQ((*source)->frame_count(), 1u);

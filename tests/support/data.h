@@ -22,7 +22,7 @@ inline std::optional<std::filesystem::path> data_set(const std::string& name) {
 }  // namespace limber::test
 
 // Declares `folder`, or skips the test and says so. Use inside a TEST body: LIMBER_DATA_SET(folder, "crane");
-#define LIMBER_DATA_SET(folder, name)                                                         \
-  const auto folder##_or_nothing = ::limber::test::data_set(name);                            \
+#define LIMBER_DATA_SET(folder, name)                                                                \
+  const auto folder##_or_nothing = ::limber::test::data_set(name);                                   \
   if (!folder##_or_nothing) GTEST_SKIP() << "data set " << (name) << " is not unpacked; see ./test"; \
   const std::filesystem::path folder = *folder##_or_nothing
