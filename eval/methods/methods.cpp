@@ -11,7 +11,8 @@ constexpr MethodInfo kMethods[] = {
     {"direct", "every frame by itself, by edge contraction (QSlim)", true, false, make_direct},
     {"improved", "as direct, its clusters then improved by swaps on the same frame", true, false, make_improved},
     {"first-frame", "the clusters of the first frame, placed anew in every frame", false, false, make_first_frame},
-    {"multilevel", "a hierarchy that follows the clip by swaps, cut at the size asked for", false, true, make_multilevel},
+    {"multilevel", "a hierarchy that follows the clip by swaps, cut at the size asked for", false, true,
+     make_multilevel},
 };
 
 }  // namespace
