@@ -17,7 +17,7 @@ using RenderVerb = ToolTest;
 TEST_F(ExtractVerb, WritesALevelOfOneFrame) {
   const std::string file = stream();
   for (const char* const name : {"a.obj", "a.ply", "a.off"}) {
-    const Run ran = run({"extract", file, "--frame", "3", "--vertices", "100", "-o", path(name), "--json"});
+    const Ran ran = run({"extract", file, "--frame", "3", "--vertices", "100", "-o", path(name), "--json"});
     ASSERT_EQ(ran.exit, Exit::kDone) << ran.err;
     const auto mesh = read_mesh(path(name));
     ASSERT_TRUE(mesh);
@@ -32,7 +32,7 @@ TEST_F(ExtractVerb, WritesALevelOfOneFrame) {
 }
 
 TEST_F(ExtractVerb, NumbersAllFramesAsTheInputWas) {
-  const Run built = run({"build", kSample, "--first", "2", "--last", "4", "-o", path("a.limber"), "-q"});
+  const Ran built = run({"build", kSample, "--first", "2", "--last", "4", "-o", path("a.limber"), "-q"});
   ASSERT_EQ(built.exit, Exit::kDone) << built.err;
   ASSERT_EQ(run({"extract", path("a.limber"), "--triangles", "150", "-o", path("lod/%03d.off")}).exit, Exit::kDone);
   std::vector<std::string> names;
@@ -50,7 +50,7 @@ TEST_F(ExtractVerb, TheFinestLevelIsTheInput) {
 }
 
 TEST_F(ExtractVerb, WithoutAnOutputSaysWhatThereWouldBe) {
-  const Run ran = run({"extract", stream(), "--level", "1"});
+  const Ran ran = run({"extract", stream(), "--level", "1"});
   EXPECT_EQ(ran.exit, Exit::kDone);
   EXPECT_THAT(ran.out, HasSubstr("asked for level 1: 75 vertices"));
 }
@@ -65,7 +65,7 @@ TEST_F(ExtractVerb, AnErrorBoundIsKeptApproximately) {
 
 TEST_F(ExtractVerb, TakesPicturesOfALevel) {
   const std::string file = stream();
-  const Run ran = run({"extract", file, "--frame", "2", "--vertices", "90", "--size", "60x40", "--side-by-side",
+  const Ran ran = run({"extract", file, "--frame", "2", "--vertices", "90", "--size", "60x40", "--side-by-side",
                        "--error-colors", "--view", "20,10", "-o", path("a.png"), "--json"});
   ASSERT_EQ(ran.exit, Exit::kDone) << ran.err;
   EXPECT_THAT(bytes(path("a.png")), StartsWith("\x89PNG"));
@@ -92,7 +92,7 @@ TEST_F(ExtractVerb, ArgumentsThatMakeNoSenseAreRefused) {
 TEST_F(ExtractVerb, AStreamThatIsCutOffGivesItsWholeFrames) {
   const std::string whole = bytes(stream());
   write(path("b.limber"), whole.substr(0, whole.size() * 2 / 3));
-  const Run ran = run({"extract", path("b.limber"), "--level", "1"});
+  const Ran ran = run({"extract", path("b.limber"), "--level", "1"});
   EXPECT_EQ(ran.exit, Exit::kDone);
   EXPECT_THAT(ran.err, HasSubstr("is cut off"));
 }
@@ -102,7 +102,7 @@ TEST_F(RenderVerb, TakesPicturesOfClipsAndMeshes) {
   ASSERT_EQ(run({"render", kSample, "--size", "60x40", "-j", "1", "-o", path("b.png")}).exit, Exit::kDone);
   EXPECT_EQ(bytes(path("a.png")), bytes(path("b.png")));
   EXPECT_EQ(run({"render", kSample, "--size", "60x40", "-o", path("a.png")}).exit, Exit::kFailure);
-  const Run all = run({"render", kSample, "--last", "1", "--size", "60x40", "-o", path("c/%d.png"), "--json"});
+  const Ran all = run({"render", kSample, "--last", "1", "--size", "60x40", "-o", path("c/%d.png"), "--json"});
   ASSERT_EQ(all.exit, Exit::kDone) << all.err;
   EXPECT_EQ(all.json()["frames"].size(), 2u);
   EXPECT_TRUE(std::filesystem::exists(path("c/1.png")));

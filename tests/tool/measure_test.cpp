@@ -16,7 +16,7 @@ constexpr const char* kRaised = "v 0 0 .1\nv 1 0 .1\nv 0 1 .1\nv 1 1 .1\nf 1 2 4
 TEST_F(MeasureVerb, GivesTheDistanceOfTwoMeshes) {
   write(path("a.obj"), kTwo);
   write(path("b.obj"), kRaised);
-  const Run ran = run({"measure", path("a.obj"), path("b.obj"), "--samples", "1000", "--json"});
+  const Ran ran = run({"measure", path("a.obj"), path("b.obj"), "--samples", "1000", "--json"});
   ASSERT_EQ(ran.exit, Exit::kDone) << ran.err;
   const auto json = ran.json();
   EXPECT_EQ(json["schema"], "limber.measure/1");
@@ -30,7 +30,7 @@ TEST_F(MeasureVerb, TheApproximationMayChangeItsConnectivity) {
   for (const char* const frame : {"1.obj", "2.obj"}) write(path(std::string("o") + frame), kTwo);
   write(path("a1.obj"), kTwo);
   write(path("a2.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  const Run ran = run({"measure", path("o%d.obj"), path("a%d.obj"), "--json"});
+  const Ran ran = run({"measure", path("o%d.obj"), path("a%d.obj"), "--json"});
   ASSERT_EQ(ran.exit, Exit::kDone) << ran.err;
   EXPECT_EQ(ran.json()["frames"][1]["frame"], 2);
   EXPECT_EQ(ran.json()["frames"][1]["triangles"], 1);
@@ -39,14 +39,14 @@ TEST_F(MeasureVerb, TheApproximationMayChangeItsConnectivity) {
 
 TEST_F(MeasureVerb, DifferentNumbersOfFramesAreRefused) {
   write(path("a.obj"), kTwo);
-  const Run ran = run({"measure", "sample:flag?vertices=100&frames=2", path("a.obj")});
+  const Ran ran = run({"measure", "sample:flag?vertices=100&frames=2", path("a.obj")});
   EXPECT_EQ(ran.exit, Exit::kBadInput);
   EXPECT_THAT(ran.err, HasSubstr("has 1 frame,"));
 }
 
 TEST_F(MeasureVerb, TakesALevelOfAStream) {
   const std::string file = stream();
-  const Run ran = run({"measure", kSample, file, "--vertices", "80", "--samples", "2000", "--json"});
+  const Ran ran = run({"measure", kSample, file, "--vertices", "80", "--samples", "2000", "--json"});
   ASSERT_EQ(ran.exit, Exit::kDone) << ran.err;
   EXPECT_EQ(ran.json()["frames"].size(), 8u);
   EXPECT_FALSE(ran.json()["changed"].is_null());

@@ -13,7 +13,7 @@ using SimplifyVerb = ToolTest;
 
 TEST_F(SimplifyVerb, WritesAMeshPerFrame) {
   for (const char* const method : {"direct", "improved", "first-frame", "multilevel"}) {
-    const Run ran = run({"simplify", kSample, "--method", method, "--vertices", "80", "-o", path("%02d.ply"), "-f"});
+    const Ran ran = run({"simplify", kSample, "--method", method, "--vertices", "80", "-o", path("%02d.ply"), "-f"});
     ASSERT_EQ(ran.exit, Exit::kDone) << ran.err;
     EXPECT_THAT(ran.out, HasSubstr("8 frames by"));
     const auto mesh = read_mesh(path("07.ply"));
@@ -34,7 +34,7 @@ TEST_F(SimplifyVerb, TheBytesDoNotDependOnTheThreads) {
 }
 
 TEST_F(SimplifyVerb, MeasuresMethodsSideBySide) {
-  const Run ran = run({"simplify", kSample, "--method", "direct,multilevel", "--vertices", "80", "--measure",
+  const Ran ran = run({"simplify", kSample, "--method", "direct,multilevel", "--vertices", "80", "--measure",
                        "--samples", "2000", "--json"});
   ASSERT_EQ(ran.exit, Exit::kDone) << ran.err;
   const auto json = ran.json();
@@ -56,7 +56,7 @@ TEST_F(SimplifyVerb, SwapsImproveAStaticMesh) {
 
 TEST_F(SimplifyVerb, AnExistingOutputStaysWithoutForce) {
   write(path("0001.obj"), "mine");
-  const Run ran = run({"simplify", kSample, "--method", "direct", "--vertices", "80", "-o", path("%04d.obj")});
+  const Ran ran = run({"simplify", kSample, "--method", "direct", "--vertices", "80", "-o", path("%04d.obj")});
   EXPECT_EQ(ran.exit, Exit::kFailure);
   EXPECT_EQ(names(), std::vector<std::string>{"0001.obj"});
 }
