@@ -87,8 +87,7 @@ TEST(Subdivide, KeepsTheSurfaceAndItsOrientation) {
   for (std::size_t t = 0; t < 9; ++t) after += area_vector(fine, t);
   before = area_vector(octahedron, 0);
   EXPECT_LT(length(after - before), 1e-6);
-  for (std::size_t v = 0; v < fine.normals.size(); ++v)
-    EXPECT_LT(length(fine.normals[v] - fine.positions[v]), 1e-6f);
+  for (std::size_t v = 0; v < fine.normals.size(); ++v) EXPECT_LT(length(fine.normals[v] - fine.positions[v]), 1e-6f);
 }
 
 }  // namespace

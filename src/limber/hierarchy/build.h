@@ -13,8 +13,9 @@
 namespace limber {
 
 struct BuildOptions {
-  // Each level has about 1/branching of the vertices of the one below, > 1.
-  double branching = 8;
+  // Each level has about 1/branching of the vertices of the one below, > 1. The closer to 1, the better the cuts whose
+  // size lies between two levels, and the larger the stream (docs/design.md, "How many levels"); the paper used 8.
+  double branching = 2;
   // Exact vertex counts of some levels above the finest, strictly decreasing, >= 1. Between the finest level and these,
   // and between two of them, there are more levels, evenly in their ratio, where it exceeds branching^1.5; beyond the
   // last they go on by `branching`.
