@@ -15,7 +15,7 @@ using test::Shape;
 using Rows = std::vector<std::string>;
 
 bool is_valid(const Mesh& mesh, const Hierarchy& h, Swap swap, Topology topology) {
-  const Clusters clusters(h);
+  const ChildLists clusters(h);
   const LevelGraph graph = test::graph_of(mesh, h, h.level_of(swap.node), topology == Topology::kFree);
   return SwapValidity(h, clusters, topology)(graph, swap.node, swap.parent);
 }
@@ -175,7 +175,7 @@ struct Tally {
 void swap_at_random(const Shape& shape, Hierarchy h, Topology topology, int rounds, std::uint64_t seed, Tally& tally) {
   Validator validator(shape.mesh, topology);
   ASSERT_FALSE(validator(h)) << validator(h)->line();
-  Clusters clusters(h);
+  ChildLists clusters(h);
   SwapValidity is_valid(h, clusters, topology);
   Random random(seed);
   LevelGraphBuilder builder;

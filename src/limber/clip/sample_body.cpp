@@ -70,11 +70,11 @@ BodyValue Body::at(const Vec3d& point) const {
   return value;
 }
 
-double Surface::distance(const Vec3d& point) const {
+double BodySurface::distance(const Vec3d& point) const {
   return body.at(point).distance - (relief != nullptr ? relief->height(point) : 0.0);
 }
 
-Vec3d Surface::project(Vec3d point, int step_count) const {
+Vec3d BodySurface::project(Vec3d point, int step_count) const {
   for (int step = 0; step < step_count; ++step) {
     const BodyValue value = body.at(point);
     const double distance = value.distance - (relief != nullptr ? relief->height(point) : 0.0);

@@ -62,7 +62,7 @@ class Relief {
   virtual double height(const Vec3d& point) const = 0;
 };
 
-struct Surface {
+struct BodySurface {
   const Body& body;
   const Relief* relief = nullptr;
 

@@ -51,7 +51,7 @@ class Collapse : public SampleMotion {
     const Creature creature = quadruped();
     const Body body(creature.limbs());
     const QuadrupedRelief relief;
-    const Surface smooth{body}, detailed{body, &relief};
+    const BodySurface smooth{body}, detailed{body, &relief};
     const SurfaceMesh start = extract_surface(detailed, kExtractSpacing);
     coarse_ = remesh(smooth, start, kCoarseCount);
     fine_ = remesh(detailed, start, vertex_count);

@@ -108,7 +108,7 @@ void add_cell(const Grid& grid, const std::array<int, 3>& cell, const std::array
 
 }  // namespace
 
-SurfaceMesh extract_surface(const Surface& surface, double spacing) {
+SurfaceMesh extract_surface(const BodySurface& surface, double spacing) {
   const Box& box = surface.body.bounds();
   Grid grid{.origin = box.low - Vec3d{spacing, spacing, spacing} * 2.0, .spacing = spacing};
   const Vec3d extent = box.high - box.low;

@@ -67,7 +67,7 @@ class Gallop : public SampleMotion {
     const std::vector<Limb> limbs = creature_.limbs();
     const Body body(limbs);
     const QuadrupedRelief relief;
-    const Surface surface{body, &relief};
+    const BodySurface surface{body, &relief};
     rest_ = remesh(surface, extract_surface(surface, kExtractSpacing), vertex_count);
     skin_ = skin_weights(body, rest_.positions, kSoftness);
     for (const Vec3d& p : rest_.positions) {

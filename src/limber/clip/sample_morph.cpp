@@ -49,7 +49,7 @@ class Morph : public SampleMotion {
  public:
   explicit Morph(Index vertex_count) : limbs_(creature_between(0.5).limbs()) {
     const Body body(limbs_);
-    const Surface surface{body};
+    const BodySurface surface{body};
     middle_ = remesh(surface, extract_surface(surface, kExtractSpacing), vertex_count);
     skin_ = skin_weights(body, middle_.positions, kSoftness);
     quadruped_heights_ = heights(0.0, QuadrupedRelief());
@@ -87,7 +87,7 @@ class Morph : public SampleMotion {
       for (Index i = skin_.first[v]; i < skin_.first[v + 1]; ++i) {
         places[v] += maps[skin_.limbs[i]](middle_.positions[v]) * static_cast<double>(skin_.weights[i]);
       }
-      places[v] = Surface{body}.project(places[v], 3);
+      places[v] = BodySurface{body}.project(places[v], 3);
     }
     for (int round = 0; round < kRelaxRounds; ++round) relax(body, places);
     return places;
@@ -104,7 +104,7 @@ class Morph : public SampleMotion {
       }
     }
     for (std::size_t v = 0; v < places.size(); ++v) {
-      places[v] = Surface{body}.project(places[v] + (sums[v] * (1.0 / counts[v]) - places[v]) * 0.6, 1);
+      places[v] = BodySurface{body}.project(places[v] + (sums[v] * (1.0 / counts[v]) - places[v]) * 0.6, 1);
     }
   }
 

@@ -17,7 +17,7 @@ namespace {
 
 class Remesher {
  public:
-  Remesher(const Surface& surface, const SurfaceMesh& start)
+  Remesher(const BodySurface& surface, const SurfaceMesh& start)
       : surface_(surface), edges_(start.mesh), positions_(start.positions), sizes_(start.positions.size()) {
     for (std::size_t v = 0; v < positions_.size(); ++v) place(static_cast<Index>(v), positions_[v]);
   }
@@ -187,7 +187,7 @@ class Remesher {
     return dot(up, left) > limit * length(left) && dot(up, right) > limit * length(right);
   }
 
-  const Surface& surface_;
+  const BodySurface& surface_;
   EdgeMesh edges_;
   std::vector<Vec3d> positions_;  // [vertex_slots]
   std::vector<double> sizes_;     // [vertex_slots], the body's size at the vertex
@@ -195,7 +195,7 @@ class Remesher {
 
 }  // namespace
 
-SurfaceMesh remesh(const Surface& surface, const SurfaceMesh& start, Index vertex_count) {
+SurfaceMesh remesh(const BodySurface& surface, const SurfaceMesh& start, Index vertex_count) {
   Remesher remesher(surface, start);
   double correction = 1.0;
   for (int round = 0; round < 5; ++round) {

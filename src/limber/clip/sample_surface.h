@@ -16,11 +16,11 @@ struct SurfaceMesh {
 
 // Marching tetrahedra on a grid of the given spacing: closed, manifold, outward. Doi & Koide, "An efficient method of
 // triangulating equi-valued surfaces by using tetrahedral cells", 1991. Features thinner than the spacing may be lost.
-SurfaceMesh extract_surface(const Surface& surface, double spacing);
+SurfaceMesh extract_surface(const BodySurface& surface, double spacing);
 
 // Isotropic remeshing (Botsch & Kobbelt, "A remeshing approach to multiresolution modeling", 2004) with edge lengths in
 // proportion to the body's sizes, then single splits and collapses to the exact count. The topology stays.
 // Precondition: `start` is closed and manifold; vertex_count is at least about 60.
-SurfaceMesh remesh(const Surface& surface, const SurfaceMesh& start, Index vertex_count);
+SurfaceMesh remesh(const BodySurface& surface, const SurfaceMesh& start, Index vertex_count);
 
 }  // namespace limber

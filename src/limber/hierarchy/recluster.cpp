@@ -37,8 +37,8 @@ Reclusterer::Reclusterer(const Mesh& mesh, Hierarchy base, const ReclusterOption
     : mesh_(mesh),
       options_(options),
       hierarchy_(std::move(base)),
-      clusters_(hierarchy_),
-      is_valid_(hierarchy_, clusters_, options.topology),
+      children_(hierarchy_),
+      is_valid_(hierarchy_, children_, options.topology),
       vertex_quadrics_(mesh, options.quadrics),
       graphs_(hierarchy_.level_count() - 1),
       level_weight_(hierarchy_.level_count(), 1.0),
@@ -130,7 +130,7 @@ void Reclusterer::touch(const LevelGraph& graph, Index cluster) {
     mark_[node] = pass_;
     pending_.push_back(node);
   };
-  for (Index child = clusters_.first_child(cluster); child != kNone; child = clusters_.next_sibling(child)) {
+  for (Index child = children_.first_child(cluster); child != kNone; child = children_.next_sibling(child)) {
     add(child);
     for (const Index n : graph.around(child)) add(n);
   }
@@ -138,7 +138,7 @@ void Reclusterer::touch(const LevelGraph& graph, Index cluster) {
 
 void Reclusterer::apply(const LevelGraph& graph, Index node, Index to) {
   Index from = hierarchy_.parent[node];
-  clusters_.move(node, from, to);
+  children_.move(node, from, to);
   hierarchy_.parent[node] = to;
   touch(graph, from);
   touch(graph, to);

@@ -10,7 +10,7 @@
 #include "limber/base/quadric.h"
 #include "limber/base/vec.h"
 #include "limber/contract/contract.h"
-#include "limber/hierarchy/clusters.h"
+#include "limber/hierarchy/child_lists.h"
 #include "limber/hierarchy/hierarchy.h"
 #include "limber/hierarchy/level_graph.h"
 #include "limber/hierarchy/swap_validity.h"
@@ -72,7 +72,7 @@ class Reclusterer {
   const Mesh& mesh_;
   ReclusterOptions options_;
   Hierarchy hierarchy_;
-  Clusters clusters_;
+  ChildLists children_;
   SwapValidity is_valid_;
   VertexQuadrics vertex_quadrics_;
   LevelGraphBuilder graph_builder_;

@@ -22,7 +22,7 @@ namespace limber {
 template <class Visit>
 bool SwapValidity::any_of(Index cluster, Index levels_down, Visit&& visit) const {
   if (levels_down == 0) return visit(cluster);
-  for (Index child = clusters_.first_child(cluster); child != kNone; child = clusters_.next_sibling(child))
+  for (Index child = children_.first_child(cluster); child != kNone; child = children_.next_sibling(child))
     if (any_of(child, levels_down - 1, visit)) return true;
   return false;
 }

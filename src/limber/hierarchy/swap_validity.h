@@ -3,7 +3,7 @@
 #pragma once
 
 #include "limber/contract/contract.h"
-#include "limber/hierarchy/clusters.h"
+#include "limber/hierarchy/child_lists.h"
 #include "limber/hierarchy/hierarchy.h"
 #include "limber/hierarchy/level_graph.h"
 
@@ -11,9 +11,9 @@ namespace limber {
 
 class SwapValidity {
  public:
-  // All of them must outlive this object, and clusters must follow the hierarchy.
-  SwapValidity(const Hierarchy& hierarchy, const Clusters& clusters, Topology topology)
-      : hierarchy_(hierarchy), clusters_(clusters), topology_(topology) {}
+  // All of them must outlive this object, and children must follow the hierarchy.
+  SwapValidity(const Hierarchy& hierarchy, const ChildLists& children, Topology topology)
+      : hierarchy_(hierarchy), children_(children), topology_(topology) {}
 
   // Whether `node`, which lies on the level of `graph`, may leave its cluster for `to`: the parent of a neighbour.
   // At this level and at all coarser ones, up to the first cluster that holds both, every cluster must stay
@@ -34,7 +34,7 @@ class SwapValidity {
   bool any_of(Index cluster, Index levels_down, Visit&& visit) const;
 
   const Hierarchy& hierarchy_;
-  const Clusters& clusters_;
+  const ChildLists& children_;
   Topology topology_;
   std::vector<Index> runs_;     // scratch: labels around the node, one for each run
   std::vector<Index> reached_;  // scratch of the search for connection

@@ -8,9 +8,9 @@
 
 namespace limber {
 
-class Clusters {
+class ChildLists {
  public:
-  explicit Clusters(const Hierarchy& hierarchy)
+  explicit ChildLists(const Hierarchy& hierarchy)
       : first_child_(hierarchy.node_count(), kNone),
         next_(hierarchy.node_count(), kNone),
         previous_(hierarchy.node_count(), kNone) {
