@@ -64,6 +64,11 @@ class CostQueue {
     return true;
   }
 
+  template <class Reprice>
+  bool advance(Reprice&& reprice) {
+    return advance(reprice, [](Index) {});
+  }
+
   // Precondition for both: advance() was true, and nothing has been popped since.
   Index front() const { return static_cast<Index>(late_first() ? late_.front() : sorted_.back()); }
   void pop() {
