@@ -12,6 +12,10 @@ namespace {
 
 using test::Shape;
 
+std::vector<Index> spatial_order(const std::vector<Vec3f>& positions) {
+  return in_spatial_order(Mesh{static_cast<Index>(positions.size()), {}}, positions).order;
+}
+
 TEST(SpatialOrder, NamesEveryVertexOnce) {
   for (const Shape& shape : {test::jittered(test::sphere(3), 0.2f, 1), test::sheet(40, 30), Shape{}}) {
     std::vector<Index> order = spatial_order(shape.positions);
@@ -60,11 +64,9 @@ TEST(SpatialOrder, TakesExtentsOfAnySize) {
   }
 }
 
-TEST(Renumbered, IsTheSameMeshUnderOtherNames) {
+TEST(SpatialOrder, GivesTheSameMeshUnderOtherNames) {
   const Shape shape = test::jittered(test::torus(5, 8), 0.1f, 4);
-  const std::vector<Index> order = spatial_order(shape.positions);
-  std::vector<Index> places = {7, 7};
-  const Mesh other = renumbered(shape.mesh, order, places);
+  const auto [order, places, other] = in_spatial_order(shape.mesh, shape.positions);
   ASSERT_EQ(other.vertex_count, shape.mesh.vertex_count);
   ASSERT_EQ(places.size(), order.size());
   for (Index i = 0; i < order.size(); ++i) EXPECT_EQ(places[order[i]], i);
