@@ -23,18 +23,22 @@ void expect_valid(const Mesh& mesh, const Hierarchy& hierarchy, Topology topolog
 
 TEST(LevelTargets, ShrinkByTheBranchingFactorDownToTheSmallestLevel) {
   BuildOptions options;
+  options.branching = 8;
   EXPECT_EQ(level_targets(8431, options), (std::vector<Index>{1054, 132, 16}));
   options.branching = 2;
   EXPECT_EQ(level_targets(100, options), (std::vector<Index>{50, 25, 13}));
   EXPECT_TRUE(level_targets(10, options).empty());
   EXPECT_TRUE(level_targets(0, options).empty());
+  options.branching = 100;
   options.level_sizes = {77, 3};
   EXPECT_EQ(level_targets(100, options), (std::vector<Index>{77, 3}));
 }
 
 TEST(BuildHierarchy, HasTheLevelsThatTheTargetsSay) {
   const Shape ball = test::jittered(test::sphere(4), 0.01f, 1);  // 1026 vertices
-  const Hierarchy h = build(ball);
+  BuildOptions options;
+  options.branching = 8;
+  const Hierarchy h = build(ball, options);
   EXPECT_EQ(h.level_begin, (std::vector<Index>{0, 1026, 1026 + 128, 1026 + 128 + 16}));
   expect_valid(ball.mesh, h);
 }
@@ -42,6 +46,7 @@ TEST(BuildHierarchy, HasTheLevelsThatTheTargetsSay) {
 TEST(BuildHierarchy, HasTheExactLevelSizesAskedFor) {
   const Shape ball = test::jittered(test::sphere(3), 0.01f, 2);
   BuildOptions options;
+  options.branching = 100;
   options.level_sizes = {100, 99, 31, 5};
   const Hierarchy h = build(ball, options);
   ASSERT_EQ(h.level_count(), 5u);
@@ -52,6 +57,7 @@ TEST(BuildHierarchy, HasTheExactLevelSizesAskedFor) {
 TEST(BuildHierarchy, LeavesOutLevelsThatWouldEqualTheOneBelow) {
   const Shape ball = test::jittered(test::sphere(2), 0.01f, 3);
   BuildOptions options;
+  options.branching = 100;
   options.level_sizes = {1000, 66, 30, 3, 2};  // as many as there are and more; fewer than a closed surface can have
   const Hierarchy h = build(ball, options);
   EXPECT_EQ(h.level_begin, (std::vector<Index>{0, 66, 96, 100}));
@@ -78,6 +84,7 @@ TEST(BuildHierarchy, GivesIsolatedVerticesANodeOnEveryLevel) {
   for (Triangle& t : shape.mesh.triangles)
     for (Index& corner : t) corner += 2;
   BuildOptions options;
+  options.branching = 100;
   options.level_sizes = {50, 10};
   const Hierarchy h = build(shape, options);
   EXPECT_EQ(h.level_size(1), 53u);

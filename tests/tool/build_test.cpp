@@ -14,7 +14,7 @@ using tool::Exit;
 using Build = ToolTest;
 
 TEST_F(Build, ReportsWhatWasAchievedBesideWhatWasAsked) {
-  const Ran ran = run({"build", kSample, "-o", path("a.limber"), "--levels", "300,50", "--json"});
+  const Ran ran = run({"build", kSample, "-o", path("a.limber"), "--branching", "8", "--levels", "300,50", "--json"});
   ASSERT_EQ(ran.exit, Exit::kDone) << ran.err;
   const auto json = ran.json();
   EXPECT_EQ(json["schema"], "limber.build/1");

@@ -52,7 +52,7 @@ TEST_F(ExtractVerb, TheFinestLevelIsTheInput) {
 TEST_F(ExtractVerb, WithoutAnOutputSaysWhatThereWouldBe) {
   const Ran ran = run({"extract", stream(), "--level", "1"});
   EXPECT_EQ(ran.exit, Exit::kDone);
-  EXPECT_THAT(ran.out, HasSubstr("asked for level 1: 75 vertices"));
+  EXPECT_THAT(ran.out, HasSubstr("asked for level 1: 300 vertices"));
 }
 
 TEST_F(ExtractVerb, AnErrorBoundIsKeptApproximately) {
