@@ -34,8 +34,7 @@ constexpr double kRounding = 1e-18;                  // of errors of a surface o
 }  // namespace
 
 Reclusterer::Reclusterer(const Mesh& mesh, Hierarchy base, const ReclusterOptions& options)
-    : mesh_(mesh),
-      options_(options),
+    : options_(options),
       hierarchy_(std::move(base)),
       children_(hierarchy_),
       is_valid_(hierarchy_, children_, options.topology),
@@ -176,7 +175,7 @@ void Reclusterer::improve_level(Index level, double threshold) {
 }
 
 std::span<const Swap> Reclusterer::step(std::span<const Vec3f> positions) {
-  assert(positions.size() == mesh_.vertex_count);
+  assert(positions.size() == hierarchy_.vertex_count());
   const Index vertex_count = hierarchy_.vertex_count();
   Normalization frame = normalization(positions);
   if (first_) scale_ = frame.scale;

@@ -69,7 +69,6 @@ class Reclusterer {
   void touch(const LevelGraph& graph, Index cluster);
   void improve_level(Index level, double threshold);
 
-  const Mesh& mesh_;
   ReclusterOptions options_;
   Hierarchy hierarchy_;
   ChildLists children_;
