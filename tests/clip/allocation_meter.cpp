@@ -18,9 +18,13 @@ std::size_t largest_allocation() { return largest; }
 
 }  // namespace limber::test
 
-void* operator new(std::size_t size) {
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   limber::test::largest = std::max(limber::test::largest.load(), size);
-  if (void* memory = std::malloc(std::max<std::size_t>(1, size))) return memory;
+  return std::malloc(std::max<std::size_t>(1, size));
+}
+
+void* operator new(std::size_t size) {
+  if (void* memory = operator new(size, std::nothrow)) return memory;
   throw std::bad_alloc();
 }
 
