@@ -19,7 +19,8 @@ TEST(MeshFile, EveryFormatReadsBackWhatItWrote) {
   for (const std::string name : {"a.obj", "a.ply", "a.off", "A.OBJ", "A.Ply"}) {
     for (const bool text : {false, true}) {
       for (const bool with_normals : {false, true}) {
-        const MeshParts parts{mesh.triangles, positions, with_normals ? normals : std::vector<Vec3f>{}};
+        MeshParts parts{mesh.triangles, positions, {}};
+        if (with_normals) parts.normals = normals;
         ASSERT_DONE(write_mesh(folder / name, parts, {.replace = true, .text = text}));
         const Result<MeshFile> file = read_mesh(folder / name);
         ASSERT_DONE(file);
