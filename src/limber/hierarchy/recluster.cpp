@@ -58,6 +58,13 @@ double Reclusterer::total_error(Index level) const {
   return sum;
 }
 
+void Reclusterer::measure_leeways(const LeewayOptions& options, std::span<Leeway> leeways) const {
+  const Index vertex_count = hierarchy_.vertex_count();
+  assert(leeways.size() == hierarchy_.node_count() - vertex_count);
+  for (std::size_t i = 0; i < leeways.size(); ++i)
+    leeways[i] = leeway(quadrics_[vertex_count + i], energies_[vertex_count + i], scale_, options);
+}
+
 void Reclusterer::place(Index node) {
   const QuadricMinimum at = minimum(quadrics_[node]);
   minima_[node] = at.point;

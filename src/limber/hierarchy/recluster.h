@@ -12,6 +12,7 @@
 #include "limber/contract/contract.h"
 #include "limber/hierarchy/child_lists.h"
 #include "limber/hierarchy/hierarchy.h"
+#include "limber/hierarchy/leeway.h"
 #include "limber/hierarchy/level_graph.h"
 #include "limber/hierarchy/swap_validity.h"
 
@@ -49,6 +50,9 @@ class Reclusterer {
   std::span<const Vec3f> positions() const { return positions_; }
   // [node_count]; square root of the quadric error, 0 for finest nodes (see stream/frame_state.h for the unit).
   std::span<const float> errors() const { return errors_; }
+  // How far each node above the finest level may stand from its position: leeways[node - vertex_count]. In the units of
+  // the positions.
+  void measure_leeways(const LeewayOptions& options, std::span<Leeway> leeways) const;
   // Sum of the quadric errors of a level, normalized by the frame's diagonal to the fourth power.
   double total_error(Index level) const;
   // The exponent in use, after the first step.

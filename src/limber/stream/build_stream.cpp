@@ -34,6 +34,7 @@ struct FollowedFrame {
   std::vector<Swap> swaps;
   std::vector<Vec3f> positions;  // [node_count]
   std::vector<float> errors;     // [node_count]
+  std::vector<Leeway> leeways;   // [node_count - vertex_count], or none
 };
 
 class StreamBuilder {
@@ -55,6 +56,7 @@ class StreamBuilder {
   Result<void> make_base();
   Result<bool> follow(FollowedFrame& frame);
   Result<void> encode(const FollowedFrame& frame);
+  double leeway_distance();
   Result<void> begin(const FollowedFrame& first);
 
   ClipReader& clip_;
@@ -65,6 +67,7 @@ class StreamBuilder {
   std::optional<std::uint32_t> frame_count_;
   std::unique_ptr<Reclusterer> reclusterer_;
   std::vector<Vec3f> input_;         // [vertex_count]
+  double diagonal_ = 0;              // of the first frame
   std::vector<double> swap_counts_;  // of the frames from the second on
 };
 
@@ -89,6 +92,16 @@ Result<void> StreamBuilder::make_base() {
   return clip_.rewind();
 }
 
+// The tolerance is relative to the diagonal of the first frame.
+double StreamBuilder::leeway_distance() {
+  if (report_.frame_count == 0) {
+    Box box;
+    for (const Vec3f& position : input_) box.add(Vec3d(position));
+    diagonal_ = box.diagonal();
+  }
+  return options_.encoder.tolerance * diagonal_ / 2;
+}
+
 // Gives false after the last frame.
 Result<bool> StreamBuilder::follow(FollowedFrame& frame) {
   const Clock::time_point start = Clock::now();
@@ -101,6 +114,10 @@ Result<bool> StreamBuilder::follow(FollowedFrame& frame) {
   frame.hierarchy = reclusterer_->hierarchy();
   frame.positions.assign(reclusterer_->positions().begin(), reclusterer_->positions().end());
   frame.errors.assign(reclusterer_->errors().begin(), reclusterer_->errors().end());
+  if (options_.leeway_share > 0 && !options_.encoder.lossless) {
+    frame.leeways.resize(frame.errors.size() - input_.size());
+    reclusterer_->measure_leeways({options_.leeway_share, leeway_distance()}, frame.leeways);
+  }
   // In the first frame, swaps are improvements of the base hierarchy, which is stored with them.
   if (report_.frame_count++ > 0) swap_counts_.push_back(static_cast<double>(swaps.size()));
   report_.seconds.reclustering += seconds_since(read);
@@ -118,7 +135,7 @@ Result<void> StreamBuilder::begin(const FollowedFrame& first) {
 
 Result<void> StreamBuilder::encode(const FollowedFrame& frame) {
   const Clock::time_point start = Clock::now();
-  Result<void> added = encoder_.add(frame.hierarchy, frame.swaps, frame.positions, frame.errors);
+  Result<void> added = encoder_.add(frame.hierarchy, frame.swaps, frame.positions, frame.errors, frame.leeways);
   if (!added) return added;
   const ChunkSizes sizes = encoder_.sizes();
   report_.bytes.hierarchy += sizes.hierarchy;

@@ -20,6 +20,9 @@ struct BuildStreamOptions {
   // Levels, topology and quadrics; topology and quadrics hold for reclustering, too.
   BuildOptions hierarchy;
   ReclusterOptions recluster;  // its topology and quadrics are those of `hierarchy`
+  // By how much the quadric error of a node above the finest level may grow to save bytes, as a share of it (leeway.h);
+  // beside that, by half the encoder's tolerance. 0: not at all, and nodes are kept within the tolerance.
+  double leeway_share = LeewayOptions{}.error_share;
   EncoderOptions encoder;  // its frame numbers, rate, frame count and promises are those of the clip and `hierarchy`
   std::uint32_t base_frames = 8;  // the base hierarchy is made for up to so many frames, spread evenly; >= 1
   unsigned threads = 1;           // 2 or more: reclustering a frame and encoding the one before go on at the same time

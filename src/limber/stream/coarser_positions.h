@@ -1,37 +1,43 @@
 // SPDX-License-Identifier: Apache-2.0
 // Coding the positions of the nodes above the finest level. Part of the player.
 //
-// A node lies near the mean of its children, which are known by then, and how far from it changes slowly:
+// A node lies near the mean of its children, which are known by then, and how far from it changes little but for the
+// turning of its surroundings:
 //
-//   x(t) ~ mean of the children's x(t) + o(t-1) + past * (o(t-1) - o(t-2)),   o = x - mean of the children
+//   x(t) ~ mean of the children's x(t) + R o(t-1),   o = x - mean of the children
 //
-// with the children as they are at each of the times, so that swaps are followed. At a key frame o = 0. A node
-// without children is predicted where it was.
+// with the children as they are at each of the times, so that swaps are followed, and the rotation R of turns.h. At a
+// key frame o = 0; in a lossless stream, whose integers are no coordinates, R = 1. A node without children is predicted
+// where it was.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "limber/hierarchy/hierarchy.h"
 #include "limber/stream/finest_positions.h"
+#include "limber/stream/turns.h"
 
 namespace limber {
 
 // What coding a frame leaves for the next. Indexed by node less the number of finest vertices.
 class CoarserPositions {
  public:
-  explicit CoarserPositions(std::span<const Index> level_begin);
+  CoarserPositions(std::span<const Index> level_begin, bool turning);
 
-  // Codes all nodes above the finest of a frame, level by level. `parent` [node_count]; `finest` [vertex_count] by
-  // place; `past` in 1/64, within +-kMostFactor; `actual(node)` gives the position to write; not called when reading.
+  // Codes all nodes above the finest of a frame, level by level, after the finest. `parent` [node_count];
+  // `actual(node, predicted)` gives the position to write; not called when reading.
   template <class Coder, class Actual>
-  void code(bool key, std::int16_t past, std::span<const Index> parent, const Traversal& traversal,
-            std::span<const Lattice> finest, Coder& coder, Actual&& actual);
+  void code(bool key, std::span<const Index> parent, const Traversal& traversal, const FinestPositions& finest,
+            Coder& coder, Actual&& actual);
 
   std::span<const Lattice> positions() const { return now_; }
 
  private:
+  Lattice64 turned(Index i, const Lattice64& offset) const;
+
   struct Children {
     Lattice64 sum{};
     std::int64_t count = 0;
@@ -42,24 +48,34 @@ class CoarserPositions {
     }
   };
   struct Node {
-    Lattice64 offset{}, offset_before{};
+    Lattice64 offset{};
     std::uint32_t activity = 0;
   };
 
   std::span<const Index> level_begin_;
+  bool turning_;
+  Turns turns_;
   std::vector<Lattice> now_;
   std::vector<Children> children_;
   std::vector<Node> nodes_;
 };
 
+inline Lattice64 CoarserPositions::turned(Index i, const Lattice64& offset) const {
+  const auto [x, y, z] = turns_.turned(i, {double(offset[0]), double(offset[1]), double(offset[2])});
+  const auto nearest = [](double a) { return static_cast<std::int64_t>(std::floor(a + 0.5)); };
+  return {nearest(x), nearest(y), nearest(z)};
+}
+
 template <class Coder, class Actual>
-void CoarserPositions::code(bool key, std::int16_t past, std::span<const Index> parent, const Traversal& traversal,
-                            std::span<const Lattice> finest, Coder& coder, Actual&& actual) {
+void CoarserPositions::code(bool key, std::span<const Index> parent, const Traversal& traversal,
+                            const FinestPositions& finest, Coder& coder, Actual&& actual) {
   if (now_.empty()) return;
   const Index vertex_count = level_begin_[1];
   std::fill(children_.begin(), children_.end(), Children{});
   for (Index place = 0; place < vertex_count; ++place)
-    children_[parent[traversal.order[place]] - vertex_count].add(finest[place]);
+    children_[parent[traversal.order[place]] - vertex_count].add(finest.positions()[place]);
+  const bool turning = turning_ && !key;
+  if (turning) turns_.measure(parent, traversal, finest.positions_before(), finest.positions());
 
   std::uint32_t neighborhood = 0;  // four times a running mean of the magnitudes
   for (Index i = 0; i < now_.size(); ++i) {
@@ -69,18 +85,14 @@ void CoarserPositions::code(bool key, std::int16_t past, std::span<const Index> 
       now_[i] = {};
     }
     const Children& children = children_[i];
-    Lattice64 mean{}, predicted{};
+    const Lattice64 offset = turning ? turned(i, node.offset) : node.offset;
+    Lattice64 mean, predicted;
     for (std::size_t k = 0; k < 3; ++k) {
       mean[k] = children.count > 0 ? children.sum[k] / children.count : now_[i][k];
-      const std::int64_t turn = (node.offset[k] - node.offset_before[k]) * past;
-      predicted[k] = mean[k] + node.offset[k] + ((turn + (1 << (kFactorBits - 1))) >> kFactorBits);
-    }
-    if (children.count == 0) {
-      node.offset = {};
-      predicted = mean;
+      predicted[k] = children.count > 0 ? mean[k] + offset[k] : mean[k];
     }
     Lattice target{};
-    if constexpr (Coder::kEncodes) target = actual(vertex_count + i);
+    if constexpr (Coder::kEncodes) target = actual(vertex_count + i, predicted);
     // Twelfths: the running mean holds four nodes' sums of three axes.
     const std::uint32_t expected =
         key ? quadruple_mean(neighborhood, 12)
@@ -98,8 +110,6 @@ void CoarserPositions::code(bool key, std::int16_t past, std::span<const Index> 
       node.activity += counted_magnitude(residuals[k]);
     }
     neighborhood += node.activity - neighborhood / 4;
-    node.offset_before =
-        key ? Lattice64{now_[i][0] - mean[0], now_[i][1] - mean[1], now_[i][2] - mean[2]} : node.offset;
     node.offset = {now_[i][0] - mean[0], now_[i][1] - mean[1], now_[i][2] - mean[2]};
     if (parent[vertex_count + i] != kNone) children_[parent[vertex_count + i] - vertex_count].add(now_[i]);
   }

@@ -3,8 +3,8 @@
 
 namespace limber {
 
-CodingState::CodingState(const Mesh& mesh, std::span<const Index> level_begin)
-    : CodingState(mesh, level_begin, incident_triangles(mesh)) {}
+CodingState::CodingState(const Mesh& mesh, std::span<const Index> level_begin, bool lossless)
+    : CodingState(mesh, level_begin, lossless, incident_triangles(mesh)) {}
 
 void CodingState::reset_models() {
   finest_statistics.reset();
@@ -13,12 +13,13 @@ void CodingState::reset_models() {
   error_models = {};
 }
 
-CodingState::CodingState(const Mesh& mesh, std::span<const Index> level_begin, const IndexLists& incident)
+CodingState::CodingState(const Mesh& mesh, std::span<const Index> level_begin, bool lossless,
+                         const IndexLists& incident)
     : neighbors(limber::neighbors(mesh, incident)),
       traversal(traverse(mesh, incident, neighbors)),
       clusters(level_begin, neighbors),
       finest(traversal),
-      coarser(level_begin),
+      coarser(level_begin, !lossless),
       errors(level_begin.back() - level_begin[1]),
       order(level_begin.back()) {}
 

@@ -20,7 +20,8 @@ namespace limber {
 
 // Not movable: its parts refer to each other.
 struct CodingState {
-  CodingState(const Mesh& mesh, std::span<const Index> level_begin);
+  // `lossless`: whether the stream is, so that lattice points are no coordinates.
+  CodingState(const Mesh& mesh, std::span<const Index> level_begin, bool lossless);
   CodingState(const CodingState&) = delete;
   CodingState& operator=(const CodingState&) = delete;
 
@@ -39,7 +40,7 @@ struct CodingState {
   std::vector<Index> order;          // [node_count]: scratch
 
  private:
-  CodingState(const Mesh& mesh, std::span<const Index> level_begin, const IndexLists& incident);
+  CodingState(const Mesh& mesh, std::span<const Index> level_begin, bool lossless, const IndexLists& incident);
 };
 
 }  // namespace limber

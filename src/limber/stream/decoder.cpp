@@ -257,7 +257,7 @@ bool Decoder::Stream::code_hierarchy(bool key, FrameState& state) {
 const char* Decoder::Stream::code_positions(bool key, FrameState& state) {
   const auto no_actual = [](Index) { return Lattice{}; };
   const Index vertex_count = mesh.vertex_count;
-  constexpr std::size_t kFactorsSize = 6, kPastSize = 2;
+  constexpr std::size_t kFactorsSize = 6;
   const auto fixed_point = [](const std::byte* from) {
     return static_cast<std::int16_t>(load_little_endian<std::uint16_t>(from));
   };
@@ -286,16 +286,9 @@ const char* Decoder::Stream::code_positions(bool key, FrameState& state) {
 
   const auto coarser_positions = coding->coarser.positions();
   if (!coarser_positions.empty()) {
-    auto coarser = section(2);
-    std::int16_t past = 0;
-    if (!key) {
-      if (coarser.size() < kPastSize) return "the section of the coarser positions is too short";
-      past = fixed_point(&coarser[0]);
-      if (!in_range(past)) return "a factor of the motion is outside its range";
-      coarser = coarser.subspan(kPastSize);
-    }
-    ResidualReader coarser_reader(coarser, coding->coarser_statistics);
-    coding->coarser.code(key, past, coding->clusters.parents(), coding->traversal, place, coarser_reader, no_actual);
+    ResidualReader coarser_reader(section(2), coding->coarser_statistics);
+    coding->coarser.code(key, coding->clusters.parents(), coding->traversal, coding->finest, coarser_reader,
+                         [](Index, const Lattice64&) { return Lattice{}; });
     if (!coarser_reader.consistent()) return "the coarser positions are not what an encoder writes";
     coding->coarser_statistics.update();
     for (Index i = 0; i < coarser_positions.size(); ++i)
@@ -348,7 +341,7 @@ Result<void> Decoder::open(std::span<const std::byte> bytes) {
     if (!scanned) return scanned.error();
   }
   stream->quantizer = Quantizer(stream->header);
-  stream->coding = std::make_unique<CodingState>(stream->mesh, level_begin);
+  stream->coding = std::make_unique<CodingState>(stream->mesh, level_begin, stream->header.step == 0.0);
   stream_ = std::move(stream);
   return {};
 }

@@ -121,7 +121,8 @@ struct Encoder::Stream {
   Result<void> quantize(std::span<const Vec3f> positions);
   std::vector<std::byte> hierarchy_section(bool key, const Hierarchy& hierarchy, std::span<const Swap> swaps);
   std::vector<std::byte> finest_section(bool key);
-  std::vector<std::byte> coarser_section(bool key);
+  Lattice settle(const Vec3f& best, const Leeway& leeway, const Lattice64& predicted) const;
+  std::vector<std::byte> coarser_section(bool key, std::span<const Vec3f> positions, std::span<const Leeway> leeways);
   std::vector<std::byte> error_section(bool key, std::span<const float> errors);
 };
 
@@ -201,32 +202,31 @@ std::vector<std::byte> Encoder::Stream::finest_section(bool key) {
   return section;
 }
 
-// Small enough to try a few values of the factor.
-std::vector<std::byte> Encoder::Stream::coarser_section(bool key) {
-  if (coding->coarser.positions().empty()) return {};
-  const auto actual = [this](Index node) { return lattice[node]; };
-  const CoarserPositions positions_before = coding->coarser;
-  const ResidualStatistics statistics_before = coding->coarser_statistics;
-  const auto code = [&](std::int16_t past) {
-    coding->coarser = positions_before;
-    coding->coarser_statistics = statistics_before;
-    ResidualWriter writer(coding->coarser_statistics);
-    coding->coarser.code(key, past, coding->clusters.parents(), coding->traversal, coding->finest.positions(), writer,
-                         actual);
-    std::vector<std::byte> section;
-    if (!key) section = step_factors({past});
-    append(section, writer.finish());
-    return section;
-  };
-  std::int16_t best = 0;
-  std::vector<std::byte> section = code(best);
-  if (!key) {
-    for (const std::int16_t past : {std::int16_t{24}, std::int16_t{48}}) {
-      std::vector<std::byte> other = code(past);
-      if (other.size() < section.size()) section = std::move(other), best = past;
-    }
-    section = code(best);
+// The lattice point nearest to where the leeway lets the node be drawn by its prediction.
+Lattice Encoder::Stream::settle(const Vec3f& best, const Leeway& leeway, const Lattice64& predicted) const {
+  constexpr std::int64_t kMost = 1 << 30;
+  Lattice wanted;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (predicted[k] < -kMost || predicted[k] > kMost) return quantizer.lattice(best);
+    wanted[k] = static_cast<std::int32_t>(predicted[k]);
   }
+  const Vec3d towards = Vec3d(quantizer.position(wanted)) - Vec3d(best);
+  const Vec3f settled(Vec3d(best) + displacement_towards(towards, leeway));
+  return quantizer.lattice(quantizer.fits(settled) ? settled : best);
+}
+
+std::vector<std::byte> Encoder::Stream::coarser_section(bool key, std::span<const Vec3f> positions,
+                                                        std::span<const Leeway> leeways) {
+  if (coding->coarser.positions().empty()) return {};
+  const bool settling = !leeways.empty() && !quantizer.lossless();
+  const Index vertex_count = header.level_begin[1];
+  ResidualWriter writer(coding->coarser_statistics);
+  coding->coarser.code(key, coding->clusters.parents(), coding->traversal, coding->finest, writer,
+                       [&](Index node, const Lattice64& predicted) {
+                         if (!settling) return lattice[node];
+                         return settle(positions[node], leeways[node - vertex_count], predicted);
+                       });
+  std::vector<std::byte> section = writer.finish();
   coding->coarser_statistics.update();
   return section;
 }
@@ -253,7 +253,7 @@ Result<void> Encoder::begin(const Mesh& mesh, const Hierarchy& base, std::span<c
   Stream& stream = *stream_;
   stream.header = make_header(base, first_positions, options);
   stream.quantizer = Quantizer(stream.header);
-  stream.coding = std::make_unique<CodingState>(mesh, stream.header.level_begin);
+  stream.coding = std::make_unique<CodingState>(mesh, stream.header.level_begin, stream.header.step == 0.0);
   stream.lattice.resize(base.node_count());
 
   std::vector<std::byte> preamble;
@@ -266,18 +266,19 @@ Result<void> Encoder::begin(const Mesh& mesh, const Hierarchy& base, std::span<c
 }
 
 Result<void> Encoder::add(const Hierarchy& hierarchy, std::span<const Swap> net_swaps, std::span<const Vec3f> positions,
-                          std::span<const float> errors, bool force_key) {
+                          std::span<const float> errors, std::span<const Leeway> leeways, bool force_key) {
   Stream& stream = *stream_;
   assert(stream.coding && hierarchy.level_begin == stream.header.level_begin);
   assert(positions.size() == hierarchy.node_count() && errors.size() == hierarchy.node_count());
+  assert(leeways.empty() || leeways.size() == hierarchy.node_count() - hierarchy.vertex_count());
   auto result = stream.quantize(positions);
   if (!result) return result;
 
   const auto frame = static_cast<std::uint32_t>(stream.offsets.size());
   const bool key = force_key || frame == 0 || frame - stream.keys.back() >= stream.header.key_interval;
   const std::array<std::vector<std::byte>, kSectionCount> sections{
-      stream.hierarchy_section(key, hierarchy, net_swaps), stream.finest_section(key), stream.coarser_section(key),
-      stream.error_section(key, errors)};
+      stream.hierarchy_section(key, hierarchy, net_swaps), stream.finest_section(key),
+      stream.coarser_section(key, positions, leeways), stream.error_section(key, errors)};
   std::vector<std::byte> payload;
   for (const auto& section : sections) append_little_endian(payload, static_cast<std::uint32_t>(section.size()));
   for (const auto& section : sections) append(payload, section);

@@ -13,6 +13,7 @@
 #include "limber/base/result.h"
 #include "limber/base/vec.h"
 #include "limber/hierarchy/hierarchy.h"
+#include "limber/hierarchy/leeway.h"
 #include "limber/stream/header.h"
 
 namespace limber {
@@ -21,7 +22,7 @@ namespace limber {
 using ByteSink = std::function<Result<void>(std::span<const std::byte>)>;
 
 struct EncoderOptions {
-  double tolerance = 1.0 / 20000;   // largest distance between an input position and the decoded one, relative to
+  double tolerance = 1.0 / 20000;   // largest distance between a vertex of the input and the decoded one, relative to
                                     // the diagonal of the first frame's bounding box; > 0
   bool lossless = false;            // every float as it was, bit by bit; `tolerance` is then unused
   std::uint32_t key_interval = 64;  // every so many frames one that can be decoded alone; >= 1
@@ -47,10 +48,12 @@ class Encoder {
   // each node at most once, in any order, every one a change (ignored at key frames). `positions` and `errors`
   // are [node_count], errors finite and >= 0. Frame 0, every key_interval-th frame and, with `force_key`, this
   // frame are keys. Decoded errors are within 1/16 of these, 0 stays 0; those of finest vertices are taken to be 0.
-  // Errors: those of the sink; kBadInput for a position that is not finite; kUnsupported for one so far away
-  // that the tolerance cannot be kept.
+  // `leeways`: none, or [node_count - vertex_count]: nodes above the finest level may then be displaced within theirs,
+  // to where they take fewer bytes, and by the rounding to the lattice; without, and in a lossless stream, they are
+  // kept within the tolerance as the finest are. Errors: those of the sink; kBadInput for a position that is not
+  // finite; kUnsupported for one so far away that the tolerance cannot be kept.
   Result<void> add(const Hierarchy& hierarchy, std::span<const Swap> net_swaps, std::span<const Vec3f> positions,
-                   std::span<const float> errors, bool force_key = false);
+                   std::span<const float> errors, std::span<const Leeway> leeways = {}, bool force_key = false);
 
   // The bytes of the frame added last, by kind.
   const ChunkSizes& sizes() const;

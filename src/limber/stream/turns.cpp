@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "limber/stream/turns.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limber {
+namespace {
+
+constexpr double kLeastCount = 3;
+
+Vec3d vector(const Lattice& at) { return {double(at[0]), double(at[1]), double(at[2])}; }
+
+}  // namespace
+
+Turns::Turns(std::span<const Index> level_begin)
+    : level_begin_(level_begin), moments_(level_begin.back() - level_begin[1]), turns_(moments_.size()) {}
+
+void Turns::Moments::add(const Moments& other) {
+  before += other.before, now += other.now, twist += other.twist;
+  xx += other.xx, xy += other.xy, xz += other.xz, yy += other.yy, yz += other.yz, zz += other.zz;
+  count += other.count;
+}
+
+// A little of the trace is added to the diagonal, for clusters on a line, and a lattice step for every vertex: what is
+// smaller than the rounding of the positions says nothing.
+Turns::Turn Turns::turn(const Moments& m) {
+  const Vec3d mean = m.before * (1.0 / m.count);
+  const double xx = m.xx - m.before.x * mean.x, yy = m.yy - m.before.y * mean.y, zz = m.zz - m.before.z * mean.z;
+  const double xy = m.xy - m.before.x * mean.y, xz = m.xz - m.before.x * mean.z, yz = m.yz - m.before.y * mean.z;
+  const Vec3d twist = m.twist - cross(mean, m.now);
+  const double ridge = 0.01 * (xx + yy + zz) + m.count;
+  // The system: a symmetric matrix with p, q, r on its diagonal and -xy, -xz, -yz beside it; solved by its adjugate.
+  const double p = yy + zz + ridge, q = xx + zz + ridge, r = xx + yy + ridge;
+  const double axx = q * r - yz * yz, axy = xy * r + xz * yz, axz = xy * yz + xz * q;
+  const double ayy = p * r - xz * xz, ayz = p * yz + xy * xz, azz = p * q - xy * xy;
+  const double determinant = p * axx - xy * axy - xz * axz;
+  const double reciprocal = 1.0 / determinant;
+  const Vec3d w{(axx * twist.x + axy * twist.y + axz * twist.z) * reciprocal,
+                (axy * twist.x + ayy * twist.y + ayz * twist.z) * reciprocal,
+                (axz * twist.x + ayz * twist.y + azz * twist.z) * reciprocal};
+  const double square = squared_length(w);
+  if (!(square <= 1.0)) return {};  // more than a right angle, or no number
+  const Vec3d half = w * (1.0 / (1.0 + std::sqrt(1.0 - square)));
+  return {half, 2.0 / (1.0 + squared_length(half))};
+}
+
+void Turns::measure(std::span<const Index> parent, const Traversal& traversal, std::span<const Lattice> before,
+                    std::span<const Lattice> now) {
+  const Index vertex_count = level_begin_[1];
+  std::fill(moments_.begin(), moments_.end(), Moments{});
+  for (Index place = 0; place < vertex_count; ++place) {
+    const Vec3d a = vector(before[place]), b = vector(now[place]);
+    moments_[parent[traversal.order[place]] - vertex_count].add(
+        {a, b, cross(a, b), a.x * a.x, a.x * a.y, a.x * a.z, a.y * a.y, a.y * a.z, a.z * a.z, 1.0});
+  }
+  const auto parent_of = [&](Index i) { return parent[vertex_count + i]; };
+  const auto count = static_cast<Index>(moments_.size());
+  for (Index i = 0; i < count; ++i)
+    if (parent_of(i) != kNone) moments_[parent_of(i) - vertex_count].add(moments_[i]);
+  for (Index i = count; i-- > 0;) {
+    if (moments_[i].count >= kLeastCount) {
+      turns_[i] = turn(moments_[i]);
+    } else {
+      turns_[i] = parent_of(i) == kNone ? Turn{} : turns_[parent_of(i) - vertex_count];
+    }
+  }
+}
+
+}  // namespace limber

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// How far each node above the finest level has turned since the frame before. Part of the player.
+//
+// The rotation vector w of a cluster whose vertices went from a_j to b_j (both less their mean) has the least
+// sum |b_j - a_j - w x a_j|^2:
+//
+//   (tr(C) I - C) w = sum a_j x b_j,   C = sum a_j a_j'
+//
+// so that |w| is the sine of the angle. All of this is sums over vertices, which add up the levels. A cluster of fewer
+// than three vertices says nothing about turning: it turns with its parent.
+// In doubles, with sums, products, quotients and square roots only, in the order of the nodes: the same everywhere.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "limber/base/vec.h"
+#include "limber/hierarchy/hierarchy.h"
+#include "limber/stream/quantizer.h"
+#include "limber/stream/traversal.h"
+
+namespace limber {
+
+class Turns {
+ public:
+  explicit Turns(std::span<const Index> level_begin);
+
+  // `before`, `now`: [vertex_count], by place; `parent`: [node_count], as it is now.
+  void measure(std::span<const Index> parent, const Traversal& traversal, std::span<const Lattice> before,
+               std::span<const Lattice> now);
+
+  // A vector that turns with coarse node i (its number less that of the finest vertices), after the turn.
+  Vec3d turned(Index i, const Vec3d& v) const {
+    const Turn& turn = turns_[i];
+    const Vec3d across = cross(turn.half, v);
+    return v + (across + cross(turn.half, across)) * turn.factor;
+  }
+
+ private:
+  struct Moments {
+    Vec3d before, now, twist;                              // sums of a, of b, and of a x b, about the origin
+    double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;  // of a a'
+    double count = 0;
+
+    void add(const Moments& other);
+  };
+  // Rodrigues' formula: `half` is the axis times the tangent of half the angle, factor = 2 / (1 + |half|^2).
+  struct Turn {
+    Vec3d half;
+    double factor = 0;
+  };
+
+  static Turn turn(const Moments& moments);
+
+  std::span<const Index> level_begin_;
+  std::vector<Moments> moments_;
+  std::vector<Turn> turns_;
+};
+
+}  // namespace limber
