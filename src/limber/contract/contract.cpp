@@ -26,19 +26,23 @@ Contractor::Contractor(const Mesh& mesh, std::span<const std::span<const Vec3f>>
 
 Contractor::Contractor(SpatialMesh placed, std::span<const std::span<const Vec3f>> frames,
                        const ContractOptions& options)
+    : Contractor(std::move(placed), find_edges(placed.mesh), frames, options) {}
+
+Contractor::Contractor(SpatialMesh&& placed, const Edges& edges, std::span<const std::span<const Vec3f>> frames,
+                       const ContractOptions& options)
     : options_(options),
       frame_count_(frames.size()),
       order_(std::move(placed.order)),
       places_(std::move(placed.places)),
-      surface_(placed.mesh),
+      surface_(placed.mesh, edges),
       normalizations_(frames.size()),
       quadrics_(order_.size() * frames.size()),
       positions_(order_.size() * frames.size()),
       merged_into_(order_.size(), kNone),
-      priced_age_(surface_.edge_count(), 0),
+      state_(surface_.edge_count(), EdgeState::kPriced),
       minima_(frames.size()),
       queue_(surface_.edge_count()) {
-  VertexQuadrics vertex_quadrics(placed.mesh, options.quadrics);
+  VertexQuadrics vertex_quadrics(placed.mesh, edges, options.quadrics);
   std::vector<Vec3d> unit(order_.size());
   std::vector<Quadric> of_one_frame(frame_count_ > 1 ? order_.size() : 0);
   const double scale = normalization(frames[0]).scale;
@@ -68,7 +72,7 @@ float Contractor::cost(Index edge) const {
 }
 
 void Contractor::enqueue(Index edge) {
-  priced_age_[edge] = surface_.age(edge);
+  state_[edge] = EdgeState::kPriced;
   queue_.push(edge, cost(edge));
 }
 
@@ -106,18 +110,34 @@ void Contractor::apply(Index edge) {
     positions_[u * frame_count_ + f] = static_cast<Vec3f>(minima_[f]);
   }
   merged_into_[v] = u;
-  surface_.contract(edge);
+  for (const Index gone : surface_.contract(edge)) state_[gone] = EdgeState::kGone;
   surface_.for_each_edge(u, [&](Index e, Index) {
-    if (priced_age_[e] == kPutOff) enqueue(e);
+    if (state_[e] == EdgeState::kPutOff)
+      enqueue(e);
+    else
+      state_[e] = EdgeState::kStale;
   });
+}
+
+void Contractor::fetch_quadric(Index v) const {
+  const auto* const quadric = reinterpret_cast<const char*>(&quadrics_[v * frame_count_]);
+  __builtin_prefetch(quadric);
+  __builtin_prefetch(quadric + sizeof(Quadric) - 1);
 }
 
 // What the next contractions will touch is on its way while this one is made.
 void Contractor::fetch_ahead() const {
-  if (const Index e = queue_.upcoming(5); e != kNone) surface_.fetch_runs(e);
-  if (const Index e = queue_.upcoming(3); e != kNone) surface_.fetch_records(e);
-  if (const Index e = queue_.upcoming(1); e != kNone)
+  const auto next = [this](std::size_t ahead, auto&& fetch) {
+    const Index e = queue_.upcoming(ahead);
+    if (e != kNone && state_[e] == EdgeState::kPriced) fetch(e);
+  };
+  next(9, [this](Index e) { surface_.fetch_edge(e); });
+  next(7, [this](Index e) { surface_.fetch_ends(e, [this](Index v) { fetch_quadric(v); }); });
+  next(5, [this](Index e) { surface_.fetch_runs(e); });
+  next(3, [this](Index e) { surface_.fetch_records(e); });
+  next(1, [this](Index e) {
     surface_.fetch_neighbours(e, [this](Index v) { __builtin_prefetch(&positions_[v * frame_count_]); });
+  });
 }
 
 // Lets every vertex lead to its representative at once.
@@ -132,29 +152,31 @@ void Contractor::shorten_chains() {
 Index Contractor::contract_to(Index target) {
   bool progress = true;
   const auto reprice = [this](Index edge, float old_cost) {
-    if (!surface_.is_alive(edge)) return -1.0f;
-    const Index age = surface_.age(edge);
-    if (priced_age_[edge] == age) return old_cost;
-    priced_age_[edge] = age;
+    if (state_[edge] == EdgeState::kGone) return -1.0f;
+    if (state_[edge] == EdgeState::kPriced) return old_cost;
+    state_[edge] = EdgeState::kPriced;
     return cost(edge);
   };
-  const auto fetch = [this](Index edge) {
-    surface_.fetch_ends(edge, [this](Index v) { __builtin_prefetch(&quadrics_[v * frame_count_]); });
+  const auto fetch_edge = [this](Index edge) {
+    if (state_[edge] == EdgeState::kStale) surface_.fetch_edge(edge);
+  };
+  const auto fetch_ends = [this](Index edge) {
+    if (state_[edge] == EdgeState::kStale) surface_.fetch_ends(edge, [this](Index v) { fetch_quadric(v); });
   };
   while (surface_.vertex_count() > target) {
-    if (!queue_.advance(reprice, fetch)) {
+    if (!queue_.advance(reprice, fetch_edge, fetch_ends)) {
       if (!progress && !check_fold_over_) break;
       check_fold_over_ = progress && check_fold_over_;
       progress = false;
       for (Index e = 0; e < surface_.edge_count(); ++e)
-        if (priced_age_[e] == kPutOff && surface_.is_alive(e)) enqueue(e);
-      if (!queue_.advance(reprice, fetch)) break;
+        if (state_[e] == EdgeState::kPutOff) enqueue(e);
+      if (!queue_.advance(reprice, fetch_edge, fetch_ends)) break;
     }
     const Index edge = queue_.front();
     queue_.pop();
     fetch_ahead();
-    if (!surface_.is_alive(edge)) continue;
-    if (priced_age_[edge] != surface_.age(edge)) {
+    if (state_[edge] == EdgeState::kGone) continue;
+    if (state_[edge] == EdgeState::kStale) {
       enqueue(edge);
       continue;
     }
@@ -163,7 +185,7 @@ Index Contractor::contract_to(Index target) {
       minima_[f] = minimum(quadrics_[u * frame_count_ + f] + quadrics_[v * frame_count_ + f]).point;
     if ((options_.topology == Topology::kPreserve && !surface_.keeps_topology(edge)) ||
         (check_fold_over_ && folds_over(edge))) {
-      priced_age_[edge] = kPutOff;
+      state_[edge] = EdgeState::kPutOff;
       continue;
     }
     apply(edge);

@@ -3,12 +3,14 @@
 // at once (Mohr & Gleicher 2003): simplification, and the clusters that hierarchies are built from.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "limber/base/mesh.h"
 #include "limber/base/vec.h"
 #include "limber/contract/cost_queue.h"
+#include "limber/contract/edges.h"
 #include "limber/contract/spatial_order.h"
 #include "limber/contract/surface.h"
 #include "limber/contract/vertex_quadrics.h"
@@ -50,11 +52,19 @@ class Contractor {
 
  private:
   Contractor(SpatialMesh placed, std::span<const std::span<const Vec3f>> frames, const ContractOptions& options);
+  Contractor(SpatialMesh&& placed, const Edges& edges, std::span<const std::span<const Vec3f>> frames,
+             const ContractOptions& options);
 
-  static constexpr Index kPutOff = kNone;  // refused as its surroundings are now; not in the queue
+  enum class EdgeState : std::uint8_t {
+    kPriced,  // in the queue under its cost
+    kStale,   // in the queue under a cost from before an end took in another vertex
+    kPutOff,  // refused as its surroundings are now; not in the queue
+    kGone,    // no longer there, whether in the queue or not
+  };
 
   float cost(Index edge) const;
   void enqueue(Index edge);
+  void fetch_quadric(Index v) const;
   void fetch_ahead() const;
   void shorten_chains();
   bool folds_over(Index edge);
@@ -70,7 +80,7 @@ class Contractor {
   std::vector<Vec3f> positions_;               // [vertex_count x frame_count], normalized; single precision, so that
                                                // more of them are in the cache
   std::vector<Index> merged_into_;             // [vertex_count], kNone for representatives
-  std::vector<Index> priced_age_;              // [edge_count]: its age when its cost was computed, or kPutOff
+  std::vector<EdgeState> state_;               // [edge_count]
   std::vector<Vec3d> minima_;                  // [frame_count], scratch
   CostQueue queue_;
   bool check_fold_over_ = true;

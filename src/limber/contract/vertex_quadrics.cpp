@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cassert>
 
-#include "limber/contract/edges.h"
-
 namespace limber {
 
 Normalization normalization(std::span<const Vec3f> positions) {
@@ -15,9 +13,8 @@ Normalization normalization(std::span<const Vec3f> positions) {
   return {box.center(), std::isfinite(scale) ? scale : 1.0};
 }
 
-VertexQuadrics::VertexQuadrics(const Mesh& mesh, const QuadricOptions& options)
+VertexQuadrics::VertexQuadrics(const Mesh& mesh, const Edges& edges, const QuadricOptions& options)
     : triangles_(mesh.triangles), options_(options), areas_(mesh.vertex_count) {
-  const Edges edges = find_edges(mesh);
   for (Index e = 0; e < edges.ends.size(); ++e)
     if (edges.triangle_count[e] == 1)
       border_edges_.push_back({edges.ends[e][0], edges.ends[e][1], edges.some_triangle[e]});
