@@ -45,10 +45,10 @@ Contractor::Contractor(SpatialMesh&& placed, const Edges& edges, std::span<const
   VertexQuadrics vertex_quadrics(placed.mesh, edges, options.quadrics);
   std::vector<Vec3d> unit(order_.size());
   std::vector<Quadric> of_one_frame(frame_count_ > 1 ? order_.size() : 0);
-  const double scale = normalization(frames[0]).scale;
   for (std::size_t f = 0; f < frame_count_; ++f) {
     assert(frames[f].size() == order_.size());
-    normalizations_[f] = {normalization(frames[f]).center, scale};
+    normalizations_[f] = normalization(frames[f]);
+    normalizations_[f].scale = normalizations_[0].scale;
     for (Index i = 0; i < order_.size(); ++i) {
       unit[i] = normalizations_[f].to_unit(frames[f][order_[i]]);
       positions_[i * frame_count_ + f] = static_cast<Vec3f>(unit[i]);
@@ -84,9 +84,9 @@ bool Contractor::folds_over(Index edge) {
     const Index other = end == ends[0] ? ends[1] : ends[0];
     surface_.for_each_triangle(end, [&](Index t) {
       const Triangle& corners = surface_.triangle(t);
-      const std::size_t i = corners[0] == end ? 0 : corners[1] == end ? 1 : 2;
-      const Index b = corners[(i + 1) % 3], c = corners[(i + 2) % 3];
-      if (found || b == other || c == other) return;
+      const bool is_second = corners[1] == end, is_third = corners[2] == end;
+      const Index b = corners[is_second ? 2 : !is_third], c = corners[is_second ? 0 : 2 - is_third];
+      if (found | (b == other) | (c == other)) return;
       for (std::size_t f = 0; f < frame_count_ && !found; ++f) {
         const Vec3d& pb = static_cast<Vec3d>(positions_[b * frame_count_ + f]);
         const Vec3d opposite_edge = static_cast<Vec3d>(positions_[c * frame_count_ + f]) - pb;
@@ -119,25 +119,17 @@ void Contractor::apply(Index edge) {
   });
 }
 
-void Contractor::fetch_quadric(Index v) const {
-  const auto* const quadric = reinterpret_cast<const char*>(&quadrics_[v * frame_count_]);
-  __builtin_prefetch(quadric);
-  __builtin_prefetch(quadric + sizeof(Quadric) - 1);
-}
-
 // What the next contractions will touch is on its way while this one is made.
 void Contractor::fetch_ahead() const {
-  const auto next = [this](std::size_t ahead, auto&& fetch) {
+  const auto next = [this](std::size_t ahead, auto&& ask) {
     const Index e = queue_.upcoming(ahead);
-    if (e != kNone && state_[e] == EdgeState::kPriced) fetch(e);
+    if (e != kNone && state_[e] == EdgeState::kPriced) ask(e);
   };
   next(9, [this](Index e) { surface_.fetch_edge(e); });
   next(7, [this](Index e) { surface_.fetch_ends(e, [this](Index v) { fetch_quadric(v); }); });
   next(5, [this](Index e) { surface_.fetch_runs(e); });
   next(3, [this](Index e) { surface_.fetch_records(e); });
-  next(1, [this](Index e) {
-    surface_.fetch_neighbours(e, [this](Index v) { __builtin_prefetch(&positions_[v * frame_count_]); });
-  });
+  next(1, [this](Index e) { surface_.fetch_neighbours(e, [this](Index v) { fetch(&positions_[v * frame_count_]); }); });
 }
 
 // Lets every vertex lead to its representative at once.

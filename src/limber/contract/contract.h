@@ -11,6 +11,7 @@
 #include "limber/base/vec.h"
 #include "limber/contract/cost_queue.h"
 #include "limber/contract/edges.h"
+#include "limber/contract/fetch.h"
 #include "limber/contract/spatial_order.h"
 #include "limber/contract/surface.h"
 #include "limber/contract/vertex_quadrics.h"
@@ -64,7 +65,11 @@ class Contractor {
 
   float cost(Index edge) const;
   void enqueue(Index edge);
-  void fetch_quadric(Index v) const;
+  void fetch_quadric(Index v) const {
+    const Quadric& quadric = quadrics_[v * frame_count_];
+    fetch(&quadric.xx);
+    fetch(&quadric.c);
+  }
   void fetch_ahead() const;
   void shorten_chains();
   bool folds_over(Index edge);

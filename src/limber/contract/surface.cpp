@@ -8,12 +8,10 @@
 namespace limber {
 namespace {
 
-// The third corner of a triangle that has the corners u and v; kNone if it does not have both.
+// The third corner of a triangle of v that has the corner u too; kNone if it does not. No branch could be predicted.
 Index opposite(const Triangle& t, Index u, Index v) {
-  if (t[0] == u) return t[1] == v ? t[2] : t[2] == v ? t[1] : kNone;
-  if (t[1] == u) return t[0] == v ? t[2] : t[2] == v ? t[0] : kNone;
-  if (t[2] == u) return t[0] == v ? t[1] : t[1] == v ? t[0] : kNone;
-  return kNone;
+  const bool has_u = (t[0] == u) | (t[1] == u) | (t[2] == u);
+  return has_u ? t[0] ^ t[1] ^ t[2] ^ u ^ v : kNone;
 }
 
 }  // namespace
@@ -40,8 +38,12 @@ Surface::Surface(const Mesh& mesh, const Edges& edges)
     vertex_count_ += v.edges.count > 0;
     v.triangles.count = v.edges.count = 0;
   }
-  triangles_of_.resize(triangle_total);
-  edges_of_.resize(edge_total);
+  const auto begin_runs = [](std::vector<Index>& items, std::size_t count) {
+    items.reserve(count * 5 / 2);  // what a contraction to a tenth takes
+    items.resize(count);
+  };
+  begin_runs(triangles_of_, triangle_total);
+  begin_runs(edges_of_, edge_total);
   const auto append = [](Run& run, std::vector<Index>& items, Index item) { items[run.begin + run.count++] = item; };
   for (Index t = 0; t < triangles_.size(); ++t)
     if (triangles_[t][0] != kNone)
@@ -53,8 +55,8 @@ Surface::Surface(const Mesh& mesh, const Edges& edges)
 void Surface::fetch_runs(Index edge) const {
   if (!is_alive(edge)) return;
   for (const Index end : ends(edge)) {
-    __builtin_prefetch(triangles_of_.data() + vertices_[end].triangles.begin);
-    __builtin_prefetch(edges_of_.data() + vertices_[end].edges.begin);
+    fetch(triangles_of_.data() + vertices_[end].triangles.begin);
+    fetch(edges_of_.data() + vertices_[end].edges.begin);
   }
 }
 
@@ -62,8 +64,8 @@ void Surface::fetch_records(Index edge) const {
   if (!is_alive(edge)) return;
   for (const Index end : ends(edge)) {
     const auto& [triangles, edges] = vertices_[end];
-    for (Index i = 0; i < triangles.count; ++i) __builtin_prefetch(&triangles_[triangles_of_[triangles.begin + i]]);
-    for (Index i = 0; i < edges.count; ++i) __builtin_prefetch(&edges_[edges_of_[edges.begin + i]]);
+    for (Index i = 0; i < triangles.count; ++i) fetch(&triangles_[triangles_of_[triangles.begin + i]]);
+    for (Index i = 0; i < edges.count; ++i) fetch(&edges_[edges_of_[edges.begin + i]]);
   }
 }
 
@@ -84,11 +86,19 @@ bool Surface::keeps_topology(Index edge) {
     meets_outside |= is_singular(e) && is_singular(marked_edge(w));
   });
   if (meets_outside || (center_is_singular_ && v_is_singular && !is_singular(edge))) return false;
-  // The two triangles of an edge must be different ones. Only a tetrahedron has an edge across; it may hang at a
-  // vertex that has other triangles too.
+  // The two triangles of an edge must be different ones.
   if (!is_singular(edge) && joined_to_both != 2) return false;
-  find_across(u, v);
-  return joined_to_both == across_.size() && !(has_edge_across(v) && has_edge_across(u));
+  across_.clear();
+  bool may_hang = false;
+  for_each_triangle(v, [&, u = u, v = v](Index t) {
+    const Triangle& corners = triangles_[t];
+    if (const Index w = opposite(corners, u, v); w != kNone) across_.push_back(w);
+    may_hang |= is_marked(corners[0]) & is_marked(corners[1]) & is_marked(corners[2]);
+  });
+  std::sort(across_.begin(), across_.end());
+  across_.erase(std::unique(across_.begin(), across_.end()), across_.end());
+  // Only a tetrahedron has an edge across; it may hang at a vertex that has other triangles too.
+  return joined_to_both == across_.size() && !(may_hang && has_edge_across(u));
 }
 
 void Surface::mark_neighbours(Index u) {
@@ -108,23 +118,10 @@ void Surface::mark_neighbours(Index u) {
   });
 }
 
-void Surface::find_across(Index u, Index v) {
-  across_.clear();
-  for_each_triangle(v, [&](Index t) {
-    if (const Index w = opposite(triangles_[t], v, u); w != kNone) across_.push_back(w);
-  });
-  std::sort(across_.begin(), across_.end());
-  across_.erase(std::unique(across_.begin(), across_.end()), across_.end());
-}
-
-bool Surface::has_edge_across(Index v) {
-  if (across_.size() < 2) return false;
-  const auto is_across = [this](Index w) {
-    return w == across_[0] || w == across_[1] ||
-           (across_.size() > 2 && std::binary_search(across_.begin() + 2, across_.end(), w));
-  };
+bool Surface::has_edge_across(Index u) {
+  const auto is_across = [&](Index w) { return std::binary_search(across_.begin(), across_.end(), w); };
   bool found = false;
-  for_each_triangle(v, [&](Index t) {
+  for_each_triangle(u, [&](Index t) {
     const Triangle& corners = triangles_[t];
     found |= is_across(corners[0]) + is_across(corners[1]) + is_across(corners[2]) == 2;
   });
@@ -148,7 +145,7 @@ std::span<const Index> Surface::contract(Index edge) {
     Triangle& corners = triangles_[t];
     const Index w = opposite(corners, u, v);
     if (w == kNone) {
-      corners[corners[0] == v ? 0 : corners[1] == v ? 1 : 2] = u;
+      for (Index& corner : corners) corner = corner == v ? u : corner;
       triangles_of_[triangles.begin + triangles.count++] = t;
     } else {
       corners[0] = kNone;
@@ -168,12 +165,13 @@ std::span<const Index> Surface::contract(Index edge) {
       record.ends[0] = kNone;
       gone_.push_back(e);
     } else {
-      record.ends[record.ends[0] == v ? 0 : 1] = u;
+      record.ends[record.ends[0] != v] = u;
       edges_of_[edges.begin + edges.count++] = e;
     }
   });
   edges_[edge].ends[0] = kNone;
-  for_each_edge(u, [&](Index e, Index) { edges_of_[edges.begin + edges.count++] = e; });
+  const auto kept = edges_of_.begin() + stays.edges.begin, end = edges_of_.begin() + edges.begin + edges.count;
+  edges.count += static_cast<Index>(std::remove_copy(kept, kept + stays.edges.count, end, edge) - end);
   edges_of_.resize(edges.begin + edges.count);
 
   stays = {triangles, edges};

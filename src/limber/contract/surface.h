@@ -13,6 +13,7 @@
 
 #include "limber/base/mesh.h"
 #include "limber/contract/edges.h"
+#include "limber/contract/fetch.h"
 
 namespace limber {
 
@@ -41,7 +42,7 @@ class Surface {
   // Ask for the memory that contracting an edge will need, in five steps, each some time before the next: the edge; its
   // ends, for which visit(vertex) is called too; where they list things; what they list; and the vertices around them,
   // for which visit(vertex) is called too. The edge may be dead.
-  void fetch_edge(Index edge) const { __builtin_prefetch(&edges_[edge]); }
+  void fetch_edge(Index edge) const { fetch(&edges_[edge]); }
   template <class Visit>
   void fetch_ends(Index edge, Visit&& visit) const;
   void fetch_runs(Index edge) const;
@@ -78,10 +79,8 @@ class Surface {
   bool is_marked(Index v) const { return marks_[v] - first_mark_ < mark_count_; }
   // The edge that joins a marked vertex to the one whose neighbours are marked.
   Index marked_edge(Index v) const { return edges_of_[vertices_[center_].edges.begin + marks_[v] - first_mark_]; }
-  // Lists the vertices that lie across the edge uv in its triangles.
-  void find_across(Index u, Index v);
-  // Whether a triangle of v has an edge between two vertices that were listed.
-  bool has_edge_across(Index v);
+  // Whether a triangle of u has two corners in across_.
+  bool has_edge_across(Index u);
 
   std::vector<VertexRecord> vertices_;
   std::vector<Triangle> triangles_;  // corners[0] is kNone in a dead one
@@ -92,7 +91,7 @@ class Surface {
   std::vector<Index> marks_;  // [vertex_count]: first_mark_ and more, for the neighbours of center_
   Index center_ = kNone, first_mark_ = 1, mark_count_ = 0;
   bool center_is_singular_ = false;  // has a singular edge
-  std::vector<Index> across_;        // sorted, each once
+  std::vector<Index> across_;        // scratch: the vertices across an edge in its triangles, sorted, each once
   std::vector<Index> gone_;          // what contract() gives
 };
 
@@ -100,7 +99,7 @@ template <class Visit>
 void Surface::fetch_ends(Index edge, Visit&& visit) const {
   if (!is_alive(edge)) return;
   for (const Index end : ends(edge)) {
-    __builtin_prefetch(&vertices_[end]);
+    fetch(&vertices_[end]);
     visit(end);
   }
 }
@@ -113,8 +112,8 @@ void Surface::fetch_neighbours(Index edge, Visit&& visit) const {
     for (Index i = 0; i < run.count; ++i) {
       const std::array<Index, 2>& around = ends(edges_of_[run.begin + i]);
       if (around[0] == kNone) continue;
-      const Index v = around[0] == end ? around[1] : around[0];
-      __builtin_prefetch(&marks_[v]);
+      const Index v = around[0] ^ around[1] ^ end;
+      fetch(&marks_[v]);
       visit(v);
     }
   }
@@ -130,7 +129,7 @@ void Surface::for_each_edge(Index v, Visit&& visit) {
     const std::array<Index, 2>& ends = edges_[e].ends;
     if (ends[0] == kNone) continue;
     items[living++] = e;
-    visit(e, ends[0] == v ? ends[1] : ends[0]);
+    visit(e, ends[0] ^ ends[1] ^ v);
   }
   run.count = living;
 }

@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <cassert>
 
+#include "limber/contract/bounds.h"
+
 namespace limber {
 
 Normalization normalization(std::span<const Vec3f> positions) {
-  Box box;
-  for (const Vec3f& p : positions) box.add(static_cast<Vec3d>(p));
+  const Box box = bounds(positions);
   const double scale = 1 / box.diagonal();
   return {box.center(), std::isfinite(scale) ? scale : 1.0};
 }
