@@ -14,6 +14,7 @@
 // date.
 #include "limber/contract/contract.h"
 
+#include <algorithm>
 #include <cassert>
 #include <utility>
 
@@ -21,33 +22,40 @@
 
 namespace limber {
 
-Contractor::Contractor(const Mesh& mesh, std::span<const std::span<const Vec3f>> frames, const ContractOptions& options)
-    : Contractor(in_spatial_order(mesh, (assert(!frames.empty()), frames[0])), frames, options) {}
+namespace {
 
-Contractor::Contractor(SpatialMesh placed, std::span<const std::span<const Vec3f>> frames,
-                       const ContractOptions& options)
-    : Contractor(std::move(placed), find_edges(placed.mesh), frames, options) {}
+constexpr Index kStepsUnasked = 1024;
 
-Contractor::Contractor(SpatialMesh&& placed, const Edges& edges, std::span<const std::span<const Vec3f>> frames,
-                       const ContractOptions& options)
-    : options_(options),
-      frame_count_(frames.size()),
-      order_(std::move(placed.order)),
-      places_(std::move(placed.places)),
-      surface_(placed.mesh, edges),
-      normalizations_(frames.size()),
-      quadrics_(order_.size() * frames.size()),
-      positions_(order_.size() * frames.size()),
-      merged_into_(order_.size(), kNone),
-      state_(surface_.edge_count(), EdgeState::kPriced),
-      minima_(frames.size()),
-      queue_(surface_.edge_count()) {
+}  // namespace
+
+Contractor::Contractor(const Mesh& mesh, std::span<const std::span<const Vec3f>> frames, const ContractOptions& options,
+                       GoOnFunction go_on)
+    : options_(options), go_on_(std::move(go_on)), frame_count_(frames.size()), minima_(frames.size()) {
+  assert(!frames.empty());
+  SpatialMesh placed = in_spatial_order(mesh, frames[0]);
+  order_ = std::move(placed.order);
+  places_ = std::move(placed.places);
+  if (!goes_on(kStepsUnasked)) return;
+  const Edges edges = find_edges(placed.mesh);
+  if (!goes_on(kStepsUnasked)) return;
+  surface_ = Surface(placed.mesh, edges);
   VertexQuadrics vertex_quadrics(placed.mesh, edges, options.quadrics);
+  merged_into_.resize(order_.size(), kNone);
+  if (!goes_on(kStepsUnasked)) return;
+
+  const std::size_t quadric_count = order_.size() * frame_count_;
+  quadrics_.reserve(quadric_count);
+  while (quadrics_.size() < quadric_count) {
+    if (!goes_on(kStepsUnasked)) return;
+    quadrics_.resize(std::min(quadric_count, quadrics_.size() + 65536));
+  }
+  positions_.resize(quadric_count);
   std::vector<Vec3d> unit(order_.size());
   std::vector<Quadric> of_one_frame(frame_count_ > 1 ? order_.size() : 0);
   for (std::size_t f = 0; f < frame_count_; ++f) {
+    if (!goes_on(kStepsUnasked)) return;
     assert(frames[f].size() == order_.size());
-    normalizations_[f] = normalization(frames[f]);
+    normalizations_.push_back(normalization(frames[f]));
     normalizations_[f].scale = normalizations_[0].scale;
     for (Index i = 0; i < order_.size(); ++i) {
       unit[i] = normalizations_[f].to_unit(frames[f][order_[i]]);
@@ -60,7 +68,16 @@ Contractor::Contractor(SpatialMesh&& placed, const Edges& edges, std::span<const
       for (Index i = 0; i < order_.size(); ++i) quadrics_[i * frame_count_ + f] = of_one_frame[i];
     }
   }
-  for (Index e = 0; e < surface_.edge_count(); ++e) enqueue(e);
+  queue_ = CostQueue(surface_.edge_count());
+  state_.resize(surface_.edge_count());
+  for (Index e = 0; e < surface_.edge_count() && goes_on(); ++e) enqueue(e);
+}
+
+bool Contractor::goes_on(Index steps) {
+  if (!go_on_ || (steps_ += steps) < kStepsUnasked) return !is_cancelled_;
+  steps_ = 0;
+  is_cancelled_ = is_cancelled_ || !go_on_();
+  return !is_cancelled_;
 }
 
 float Contractor::cost(Index edge) const {
@@ -146,6 +163,7 @@ Index Contractor::contract_to(Index target) {
   const auto reprice = [this](Index edge, float old_cost) {
     if (state_[edge] == EdgeState::kGone) return -1.0f;
     if (state_[edge] == EdgeState::kPriced) return old_cost;
+    if (!goes_on()) return -1.0f;
     state_[edge] = EdgeState::kPriced;
     return cost(edge);
   };
@@ -155,7 +173,7 @@ Index Contractor::contract_to(Index target) {
   const auto fetch_ends = [this](Index edge) {
     if (state_[edge] == EdgeState::kStale) surface_.fetch_ends(edge, [this](Index v) { fetch_quadric(v); });
   };
-  while (surface_.vertex_count() > target) {
+  while (surface_.vertex_count() > target && goes_on()) {
     if (!queue_.advance(reprice, fetch_edge, fetch_ends)) {
       if (!progress && !check_fold_over_) break;
       check_fold_over_ = progress && check_fold_over_;

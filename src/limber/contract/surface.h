@@ -72,6 +72,9 @@ class Surface {
     Index triangle_count = 0;   // living triangles on the edge
   };
 
+  // Visits what lives in a run, and takes the rest out of it.
+  template <class IsAlive, class Visit>
+  static void for_each_living(Run& run, std::vector<Index>& items, IsAlive&& is_alive, Visit&& visit);
   // A border or non-manifold edge.
   bool is_singular(Index edge) const { return edges_[edge].triangle_count != 2; }
   // Marks the vertices that u is joined to, and no others, with the places of the edges in the run of u.
@@ -119,33 +122,30 @@ void Surface::fetch_neighbours(Index edge, Visit&& visit) const {
   }
 }
 
-template <class Visit>
-void Surface::for_each_edge(Index v, Visit&& visit) {
-  Run& run = vertices_[v].edges;
-  Index* const items = edges_of_.data() + run.begin;
+template <class IsAlive, class Visit>
+void Surface::for_each_living(Run& run, std::vector<Index>& items, IsAlive&& is_alive, Visit&& visit) {
+  Index* const begin = items.data() + run.begin;
   Index living = 0;
   for (Index i = 0; i < run.count; ++i) {
-    const Index e = items[i];
-    const std::array<Index, 2>& ends = edges_[e].ends;
-    if (ends[0] == kNone) continue;
-    items[living++] = e;
-    visit(e, ends[0] ^ ends[1] ^ v);
+    const Index item = begin[i];
+    if (!is_alive(item)) continue;
+    begin[living++] = item;
+    visit(item);
   }
   run.count = living;
 }
 
 template <class Visit>
+void Surface::for_each_edge(Index v, Visit&& visit) {
+  for_each_living(
+      vertices_[v].edges, edges_of_, [this](Index e) { return is_alive(e); },
+      [&](Index e) { visit(e, edges_[e].ends[0] ^ edges_[e].ends[1] ^ v); });
+}
+
+template <class Visit>
 void Surface::for_each_triangle(Index v, Visit&& visit) {
-  Run& run = vertices_[v].triangles;
-  Index* const items = triangles_of_.data() + run.begin;
-  Index living = 0;
-  for (Index i = 0; i < run.count; ++i) {
-    const Index t = items[i];
-    if (triangles_[t][0] == kNone) continue;
-    items[living++] = t;
-    visit(t);
-  }
-  run.count = living;
+  for_each_living(
+      vertices_[v].triangles, triangles_of_, [this](Index t) { return triangles_[t][0] != kNone; }, visit);
 }
 
 }  // namespace limber
