@@ -10,7 +10,7 @@ namespace {
 
 // The third corner of a triangle of v that has the corner u too; kNone if it does not. No branch could be predicted.
 Index opposite(const Triangle& t, Index u, Index v) {
-  const bool has_u = (t[0] == u) | (t[1] == u) | (t[2] == u);
+  const bool has_u = (t[0] == u) + (t[1] == u) + (t[2] == u) > 0;
   return has_u ? t[0] ^ t[1] ^ t[2] ^ u ^ v : kNone;
 }
 
@@ -93,7 +93,7 @@ bool Surface::keeps_topology(Index edge) {
   for_each_triangle(v, [&, u = u, v = v](Index t) {
     const Triangle& corners = triangles_[t];
     if (const Index w = opposite(corners, u, v); w != kNone) across_.push_back(w);
-    may_hang |= is_marked(corners[0]) & is_marked(corners[1]) & is_marked(corners[2]);
+    may_hang |= is_marked(corners[0]) + is_marked(corners[1]) + is_marked(corners[2]) == 3;
   });
   std::sort(across_.begin(), across_.end());
   across_.erase(std::unique(across_.begin(), across_.end()), across_.end());
