@@ -59,7 +59,7 @@ Result<BuildReport> build_with_progress(ClipReader& clip, const BuildStreamOptio
   Progress progress(console, "reading");
   BuildStage stage = BuildStage::kChoosing;
   return build_stream(clip, options, sink, [&](const BuildProgress& now) {
-    if (now.stage != stage || now.frames_done <= 1) progress.start(stage_name(now.stage), now.frame_count);
+    if (now.stage != stage || now.frames_done == 1) progress.start(stage_name(now.stage), now.frame_count);
     stage = now.stage;
     return progress.update(now.frames_done);
   });

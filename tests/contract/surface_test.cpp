@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "limber/contract/surface.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <set>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "tests/support/shapes.h"
 #include "tests/support/topology.h"
@@ -88,8 +92,6 @@ TEST(Surface, LosesTwoTrianglesAndAVertexWithAnEdgeInside) {
   Checked checked(test::sheet(4, 4).mesh);
   const Index e = checked.edge(5, 10);
   ASSERT_TRUE(checked.surface.keeps_topology(e));
-  const Index age = checked.surface.age(e);
-  EXPECT_EQ(age, 0u);
   checked.contract(e);
   EXPECT_FALSE(checked.surface.is_alive(e));
   EXPECT_EQ(checked.surface.vertex_count(), 15u);
@@ -110,14 +112,16 @@ TEST(Surface, LosesOneTriangleWithAnEdgeOnTheBorder) {
   checked.expect_consistent();
 }
 
-TEST(Surface, GrowsOlderAtTheEndsThatTakeInOthers) {
+TEST(Surface, NamesTheEdgesThatAContractionEnds) {
   Checked checked(test::sheet(4, 4).mesh);
-  checked.contract(checked.edge(5, 10));
-  const Index stays = checked.image[5];
-  checked.surface.for_each_edge(stays, [&](Index e, Index) { EXPECT_EQ(checked.surface.age(e), 1u); });
-  EXPECT_EQ(checked.surface.age(checked.edge(0, 1)), 0u);
-  checked.contract(checked.edge(stays, 6));
-  checked.surface.for_each_edge(checked.image[5], [&](Index e, Index) { EXPECT_EQ(checked.surface.age(e), 2u); });
+  std::vector<Index> living = checked.living_edges();
+  for (const auto& [from, to] : {std::pair{5u, 10u}, {0u, 1u}, {2u, 3u}}) {
+    const Index contracted = checked.edge(from, to);
+    const std::span<const Index> gone = checked.surface.contract(contracted);
+    EXPECT_EQ(std::count(gone.begin(), gone.end(), contracted), 1);
+    for (const Index e : gone) EXPECT_EQ(std::erase(living, e), 1u) << e;
+    EXPECT_EQ(living, checked.living_edges());
+  }
 }
 
 TEST(Surface, RefusesAnEdgeBetweenTwoBorders) {

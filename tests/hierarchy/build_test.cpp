@@ -64,6 +64,25 @@ TEST(BuildHierarchy, LeavesOutLevelsThatWouldEqualTheOneBelow) {
   expect_valid(ball.mesh, h);
 }
 
+TEST(BuildHierarchy, AsksOftenWhetherToGoOnAndStopsAtTheFirstNo) {
+  const Shape ball = test::jittered(test::sphere(5), 0.01f, 6);  // 4,098 vertices, 12,288 edges
+  const std::span<const Vec3f> frames[] = {ball.positions, ball.positions};
+  int asked_in_all = 0;
+  const Result<Hierarchy> whole = build_hierarchy(ball.mesh, frames, {}, [&] { return ++asked_in_all > 0; });
+  ASSERT_TRUE(whole);
+  EXPECT_EQ(*whole, build_hierarchy(ball.mesh, frames, {}));
+  // Once for each 1024 edges that are priced for the first time or contracted, besides the frames.
+  EXPECT_GE(asked_in_all, 2 + (12288 + 4086) / 1024);
+  EXPECT_LT(asked_in_all, 100);
+  for (int at = 1; at <= asked_in_all; ++at) {
+    int asked = 0;
+    const Result<Hierarchy> stopped = build_hierarchy(ball.mesh, frames, {}, [&] { return ++asked < at; });
+    ASSERT_FALSE(stopped) << at;
+    EXPECT_EQ(stopped.error().code, ErrorCode::kCancelled);
+    EXPECT_EQ(asked, at);
+  }
+}
+
 TEST(BuildHierarchy, NumbersTheNodesOfALevelByTheirFirstVertex) {
   const Hierarchy h = build(test::jittered(test::sphere(4), 0.01f, 4));
   for (Index level = 1; level < h.level_count(); ++level) {

@@ -14,6 +14,7 @@
 // date.
 #include "limber/contract/contract.h"
 
+#include <algorithm>
 #include <cassert>
 #include <utility>
 
@@ -21,30 +22,41 @@
 
 namespace limber {
 
-Contractor::Contractor(const Mesh& mesh, std::span<const std::span<const Vec3f>> frames, const ContractOptions& options)
-    : Contractor(in_spatial_order(mesh, (assert(!frames.empty()), frames[0])), frames, options) {}
+namespace {
 
-Contractor::Contractor(SpatialMesh placed, std::span<const std::span<const Vec3f>> frames,
-                       const ContractOptions& options)
-    : options_(options),
-      frame_count_(frames.size()),
-      order_(std::move(placed.order)),
-      places_(std::move(placed.places)),
-      surface_(placed.mesh),
-      normalizations_(frames.size()),
-      quadrics_(order_.size() * frames.size()),
-      positions_(order_.size() * frames.size()),
-      merged_into_(order_.size(), kNone),
-      priced_age_(surface_.edge_count(), 0),
-      minima_(frames.size()),
-      queue_(surface_.edge_count()) {
-  VertexQuadrics vertex_quadrics(placed.mesh, options.quadrics);
+constexpr Index kStepsUnasked = 1024;
+
+}  // namespace
+
+Contractor::Contractor(const Mesh& mesh, std::span<const std::span<const Vec3f>> frames, const ContractOptions& options,
+                       GoOnFunction go_on)
+    : options_(options), go_on_(std::move(go_on)), frame_count_(frames.size()), minima_(frames.size()) {
+  assert(!frames.empty());
+  SpatialMesh placed = in_spatial_order(mesh, frames[0]);
+  order_ = std::move(placed.order);
+  places_ = std::move(placed.places);
+  if (!goes_on(kStepsUnasked)) return;
+  const Edges edges = find_edges(placed.mesh);
+  if (!goes_on(kStepsUnasked)) return;
+  surface_ = Surface(placed.mesh, edges);
+  VertexQuadrics vertex_quadrics(placed.mesh, edges, options.quadrics);
+  merged_into_.resize(order_.size(), kNone);
+  if (!goes_on(kStepsUnasked)) return;
+
+  const std::size_t quadric_count = order_.size() * frame_count_;
+  quadrics_.reserve(quadric_count);
+  while (quadrics_.size() < quadric_count) {
+    if (!goes_on(kStepsUnasked)) return;
+    quadrics_.resize(std::min(quadric_count, quadrics_.size() + 65536));
+  }
+  positions_.resize(quadric_count);
   std::vector<Vec3d> unit(order_.size());
   std::vector<Quadric> of_one_frame(frame_count_ > 1 ? order_.size() : 0);
-  const double scale = normalization(frames[0]).scale;
   for (std::size_t f = 0; f < frame_count_; ++f) {
+    if (!goes_on(kStepsUnasked)) return;
     assert(frames[f].size() == order_.size());
-    normalizations_[f] = {normalization(frames[f]).center, scale};
+    normalizations_.push_back(normalization(frames[f]));
+    normalizations_[f].scale = normalizations_[0].scale;
     for (Index i = 0; i < order_.size(); ++i) {
       unit[i] = normalizations_[f].to_unit(frames[f][order_[i]]);
       positions_[i * frame_count_ + f] = static_cast<Vec3f>(unit[i]);
@@ -56,7 +68,16 @@ Contractor::Contractor(SpatialMesh placed, std::span<const std::span<const Vec3f
       for (Index i = 0; i < order_.size(); ++i) quadrics_[i * frame_count_ + f] = of_one_frame[i];
     }
   }
-  for (Index e = 0; e < surface_.edge_count(); ++e) enqueue(e);
+  queue_ = CostQueue(surface_.edge_count());
+  state_.resize(surface_.edge_count());
+  for (Index e = 0; e < surface_.edge_count() && goes_on(); ++e) enqueue(e);
+}
+
+bool Contractor::goes_on(Index steps) {
+  if (!go_on_ || (steps_ += steps) < kStepsUnasked) return !is_cancelled_;
+  steps_ = 0;
+  is_cancelled_ = is_cancelled_ || !go_on_();
+  return !is_cancelled_;
 }
 
 float Contractor::cost(Index edge) const {
@@ -68,7 +89,7 @@ float Contractor::cost(Index edge) const {
 }
 
 void Contractor::enqueue(Index edge) {
-  priced_age_[edge] = surface_.age(edge);
+  state_[edge] = EdgeState::kPriced;
   queue_.push(edge, cost(edge));
 }
 
@@ -80,9 +101,9 @@ bool Contractor::folds_over(Index edge) {
     const Index other = end == ends[0] ? ends[1] : ends[0];
     surface_.for_each_triangle(end, [&](Index t) {
       const Triangle& corners = surface_.triangle(t);
-      const std::size_t i = corners[0] == end ? 0 : corners[1] == end ? 1 : 2;
-      const Index b = corners[(i + 1) % 3], c = corners[(i + 2) % 3];
-      if (found || b == other || c == other) return;
+      const bool is_second = corners[1] == end, is_third = corners[2] == end;
+      const Index b = corners[is_second ? 2 : !is_third], c = corners[is_second ? 0 : 2 - is_third];
+      if (found | (b == other) | (c == other)) return;
       for (std::size_t f = 0; f < frame_count_ && !found; ++f) {
         const Vec3d& pb = static_cast<Vec3d>(positions_[b * frame_count_ + f]);
         const Vec3d opposite_edge = static_cast<Vec3d>(positions_[c * frame_count_ + f]) - pb;
@@ -106,18 +127,26 @@ void Contractor::apply(Index edge) {
     positions_[u * frame_count_ + f] = static_cast<Vec3f>(minima_[f]);
   }
   merged_into_[v] = u;
-  surface_.contract(edge);
+  for (const Index gone : surface_.contract(edge)) state_[gone] = EdgeState::kGone;
   surface_.for_each_edge(u, [&](Index e, Index) {
-    if (priced_age_[e] == kPutOff) enqueue(e);
+    if (state_[e] == EdgeState::kPutOff)
+      enqueue(e);
+    else
+      state_[e] = EdgeState::kStale;
   });
 }
 
 // What the next contractions will touch is on its way while this one is made.
 void Contractor::fetch_ahead() const {
-  if (const Index e = queue_.upcoming(5); e != kNone) surface_.fetch_runs(e);
-  if (const Index e = queue_.upcoming(3); e != kNone) surface_.fetch_records(e);
-  if (const Index e = queue_.upcoming(1); e != kNone)
-    surface_.fetch_neighbours(e, [this](Index v) { __builtin_prefetch(&positions_[v * frame_count_]); });
+  const auto next = [this](std::size_t ahead, auto&& ask) {
+    const Index e = queue_.upcoming(ahead);
+    if (e != kNone && state_[e] == EdgeState::kPriced) ask(e);
+  };
+  next(9, [this](Index e) { surface_.fetch_edge(e); });
+  next(7, [this](Index e) { surface_.fetch_ends(e, [this](Index v) { fetch_quadric(v); }); });
+  next(5, [this](Index e) { surface_.fetch_runs(e); });
+  next(3, [this](Index e) { surface_.fetch_records(e); });
+  next(1, [this](Index e) { surface_.fetch_neighbours(e, [this](Index v) { fetch(&positions_[v * frame_count_]); }); });
 }
 
 // Lets every vertex lead to its representative at once.
@@ -132,29 +161,32 @@ void Contractor::shorten_chains() {
 Index Contractor::contract_to(Index target) {
   bool progress = true;
   const auto reprice = [this](Index edge, float old_cost) {
-    if (!surface_.is_alive(edge)) return -1.0f;
-    const Index age = surface_.age(edge);
-    if (priced_age_[edge] == age) return old_cost;
-    priced_age_[edge] = age;
+    if (state_[edge] == EdgeState::kGone) return -1.0f;
+    if (state_[edge] == EdgeState::kPriced) return old_cost;
+    if (!goes_on()) return -1.0f;
+    state_[edge] = EdgeState::kPriced;
     return cost(edge);
   };
-  const auto fetch = [this](Index edge) {
-    surface_.fetch_ends(edge, [this](Index v) { __builtin_prefetch(&quadrics_[v * frame_count_]); });
+  const auto fetch_edge = [this](Index edge) {
+    if (state_[edge] == EdgeState::kStale) surface_.fetch_edge(edge);
   };
-  while (surface_.vertex_count() > target) {
-    if (!queue_.advance(reprice, fetch)) {
+  const auto fetch_ends = [this](Index edge) {
+    if (state_[edge] == EdgeState::kStale) surface_.fetch_ends(edge, [this](Index v) { fetch_quadric(v); });
+  };
+  while (surface_.vertex_count() > target && goes_on()) {
+    if (!queue_.advance(reprice, fetch_edge, fetch_ends)) {
       if (!progress && !check_fold_over_) break;
       check_fold_over_ = progress && check_fold_over_;
       progress = false;
       for (Index e = 0; e < surface_.edge_count(); ++e)
-        if (priced_age_[e] == kPutOff && surface_.is_alive(e)) enqueue(e);
-      if (!queue_.advance(reprice, fetch)) break;
+        if (state_[e] == EdgeState::kPutOff) enqueue(e);
+      if (!queue_.advance(reprice, fetch_edge, fetch_ends)) break;
     }
     const Index edge = queue_.front();
     queue_.pop();
     fetch_ahead();
-    if (!surface_.is_alive(edge)) continue;
-    if (priced_age_[edge] != surface_.age(edge)) {
+    if (state_[edge] == EdgeState::kGone) continue;
+    if (state_[edge] == EdgeState::kStale) {
       enqueue(edge);
       continue;
     }
@@ -163,7 +195,7 @@ Index Contractor::contract_to(Index target) {
       minima_[f] = minimum(quadrics_[u * frame_count_ + f] + quadrics_[v * frame_count_ + f]).point;
     if ((options_.topology == Topology::kPreserve && !surface_.keeps_topology(edge)) ||
         (check_fold_over_ && folds_over(edge))) {
-      priced_age_[edge] = kPutOff;
+      state_[edge] = EdgeState::kPutOff;
       continue;
     }
     apply(edge);

@@ -3,12 +3,16 @@
 // at once (Mohr & Gleicher 2003): simplification, and the clusters that hierarchies are built from.
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
 #include "limber/base/mesh.h"
 #include "limber/base/vec.h"
 #include "limber/contract/cost_queue.h"
+#include "limber/contract/edges.h"
+#include "limber/contract/fetch.h"
 #include "limber/contract/spatial_order.h"
 #include "limber/contract/surface.h"
 #include "limber/contract/vertex_quadrics.h"
@@ -27,17 +31,25 @@ struct ContractOptions {
   double fold_over_cosine = 0.2;
 };
 
+// Asked now and then by what takes long; false: stop. Quick, and without an effect on the result.
+using GoOnFunction = std::function<bool()>;
+
 // Contracts edges, cheapest first, and can be asked for smaller and smaller vertex counts. The cost of an edge is the
 // sum over the frames of the smallest value of the sum of its ends' quadrics, each frame with a minimum of its own.
 // Isolated vertices stay and do not count.
 class Contractor {
  public:
-  // frames: at least one; each [mesh.vertex_count], finite. Neither need live on.
-  Contractor(const Mesh& mesh, std::span<const std::span<const Vec3f>> frames, const ContractOptions& options);
+  // frames: at least one; each [mesh.vertex_count], finite. Neither need live on. go_on is asked here and in
+  // contract_to(): before each pass over the mesh, of which a frame takes one, and about every thousand edges.
+  Contractor(const Mesh& mesh, std::span<const std::span<const Vec3f>> frames, const ContractOptions& options,
+             GoOnFunction go_on = {});
 
   // Contracts until at most `target` vertices are left that are not isolated, or no legal contraction remains; gives
   // the number left. Contractions put off by the fold-over check are made when nothing else is left.
   Index contract_to(Index target);
+
+  // Whether go_on has given false: nothing more is contracted from then on, and nothing else may be asked.
+  bool is_cancelled() const { return is_cancelled_; }
 
   Index vertex_count() const { return surface_.vertex_count(); }
 
@@ -49,30 +61,43 @@ class Contractor {
   Vec3f position(Index representative, std::size_t frame) const;
 
  private:
-  Contractor(SpatialMesh placed, std::span<const std::span<const Vec3f>> frames, const ContractOptions& options);
+  enum class EdgeState : std::uint8_t {
+    kPriced,  // in the queue under its cost
+    kStale,   // in the queue under a cost from before an end took in another vertex
+    kPutOff,  // refused as its surroundings are now; not in the queue
+    kGone,    // no longer there, whether in the queue or not
+  };
 
-  static constexpr Index kPutOff = kNone;  // refused as its surroundings are now; not in the queue
-
+  // Asks go_on_ after so many steps.
+  bool goes_on(Index steps = 1);
   float cost(Index edge) const;
   void enqueue(Index edge);
+  void fetch_quadric(Index v) const {
+    const Quadric& quadric = quadrics_[v * frame_count_];
+    fetch(&quadric.xx);
+    fetch(&quadric.c);
+  }
   void fetch_ahead() const;
   void shorten_chains();
   bool folds_over(Index edge);
   void apply(Index edge);
 
   ContractOptions options_;
+  GoOnFunction go_on_;
+  Index steps_ = 0;  // since go_on_ was asked
+  bool is_cancelled_ = false;
   std::size_t frame_count_;
   std::vector<Index> order_;   // [vertex_count]: the input's vertex at each place; all below is by place
   std::vector<Index> places_;  // [vertex_count]: the inverse
-  Surface surface_;
+  Surface surface_{Mesh{}};
   std::vector<Normalization> normalizations_;  // [frame_count]
   std::vector<Quadric> quadrics_;              // [vertex_count x frame_count]
   std::vector<Vec3f> positions_;               // [vertex_count x frame_count], normalized; single precision, so that
                                                // more of them are in the cache
   std::vector<Index> merged_into_;             // [vertex_count], kNone for representatives
-  std::vector<Index> priced_age_;              // [edge_count]: its age when its cost was computed, or kPutOff
+  std::vector<EdgeState> state_;               // [edge_count]
   std::vector<Vec3d> minima_;                  // [frame_count], scratch
-  CostQueue queue_;
+  CostQueue queue_{0};
   bool check_fold_over_ = true;
 };
 

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// A priority queue of items 0..n-1, cheapest first, ties by item, for costs that mostly grow. Items wait in buckets by
-// the leading bits of their cost; only the cheapest bucket is sorted, when its turn comes. An item that is pushed into
-// a later bucket costs one write, whatever the size of the queue, and what comes next is known early enough to fetch
-// it.
+// A priority queue of items, cheapest first, ties by item, for costs that mostly grow. Items wait in buckets by the
+// leading bits of their cost; only the cheapest bucket is sorted, when its turn comes. An item that is pushed into a
+// later bucket costs one write, whatever the size of the queue, and what comes next is known early enough to fetch it.
+// A bucket is a list of chunks, so that taking it reads memory in few places.
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cassert>
 #include <cstdint>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "limber/base/mesh.h"
@@ -18,9 +20,12 @@ namespace limber {
 
 class CostQueue {
  public:
-  explicit CostQueue(Index item_count) : buckets_(kBucketCount, kNone), next_(item_count, kNone), cost_(item_count) {}
+  // item_count: about how many items will be in it at once.
+  explicit CostQueue(Index item_count) : buckets_(kBucketCount, kNone) {
+    chunks_.reserve(item_count / kChunkSize + 64);
+  }
 
-  // Precondition: cost >= 0 and the item is not in the queue.
+  // Precondition: cost >= 0.
   void push(Index item, float cost) {
     assert(cost >= 0);
     const std::uint32_t bucket = bucket_of(cost);
@@ -29,30 +34,32 @@ class CostQueue {
       std::push_heap(late_.begin(), late_.end(), std::greater<>());
       return;
     }
-    cost_[item] = cost;
-    next_[item] = buckets_[bucket];
-    buckets_[bucket] = item;
+    Index& first = buckets_[bucket];
+    if (first == kNone || chunks_[first].count == kChunkSize) first = new_chunk(first);
+    Chunk& chunk = chunks_[first];
+    chunk.keys[chunk.count++] = key(item, cost);
   }
 
   // Makes front() and pop() valid; false when the queue is empty. Where items come out of a bucket, `reprice(item,
   // old)` gives their cost as it is now, not below the one they were pushed with, or a negative number to drop them;
-  // `fetch(item)` is called some items ahead of it.
-  template <class Reprice, class Fetch>
-  bool advance(Reprice&& reprice, Fetch&& fetch) {
+  // `fetch_early(item)` and `fetch_late(item)` are called some items ahead of that.
+  template <class Reprice, class FetchEarly, class FetchLate>
+  bool advance(Reprice&& reprice, FetchEarly&& fetch_early, FetchLate&& fetch_late) {
     while (sorted_.empty() && late_.empty()) {
       while (current_ < kBucketCount && buckets_[current_] == kNone) ++current_;
       if (current_ == kBucketCount) {
         current_ = 0;
         return false;
       }
-      taken_.clear();
-      for (Index item = buckets_[current_]; item != kNone; item = next_[item]) taken_.push_back(item);
-      buckets_[current_] = kNone;
-      constexpr std::size_t kAhead = 6;
+      take(current_);
+      constexpr std::size_t kEarly = 16, kLate = 8;
+      for (std::size_t i = 0; i < std::min(kEarly, taken_.size()); ++i) fetch_early(static_cast<Index>(taken_[i]));
+      for (std::size_t i = 0; i < std::min(kLate, taken_.size()); ++i) fetch_late(static_cast<Index>(taken_[i]));
       for (std::size_t i = 0; i < taken_.size(); ++i) {
-        if (i + kAhead < taken_.size()) fetch(taken_[i + kAhead]);
-        const Index item = taken_[i];
-        const float cost = reprice(item, cost_[item]);
+        if (i + kEarly < taken_.size()) fetch_early(static_cast<Index>(taken_[i + kEarly]));
+        if (i + kLate < taken_.size()) fetch_late(static_cast<Index>(taken_[i + kLate]));
+        const auto item = static_cast<Index>(taken_[i]);
+        const float cost = reprice(item, std::bit_cast<float>(static_cast<std::uint32_t>(taken_[i] >> 32)));
         if (cost < 0) continue;
         if (bucket_of(cost) <= current_)
           sorted_.push_back(key(item, cost));
@@ -66,7 +73,8 @@ class CostQueue {
 
   template <class Reprice>
   bool advance(Reprice&& reprice) {
-    return advance(reprice, [](Index) {});
+    return advance(
+        reprice, [](Index) {}, [](Index) {});
   }
 
   // Precondition for both: advance() was true, and nothing has been popped since.
@@ -89,6 +97,12 @@ class CostQueue {
   static constexpr int kDroppedBits = 18;  // of a float's 23 bits of mantissa: 32 buckets per power of two
   static constexpr std::uint32_t kBucketCount = 0x7f800000u >> kDroppedBits;
 
+  static constexpr std::uint32_t kChunkSize = 15;
+  struct Chunk {
+    std::array<std::uint64_t, kChunkSize> keys;
+    Index next, count;
+  };
+
   // The bits of floats that are not negative are ordered as the floats are.
   static std::uint32_t bucket_of(float cost) {
     return std::min(std::bit_cast<std::uint32_t>(cost) >> kDroppedBits, kBucketCount - 1);
@@ -98,12 +112,36 @@ class CostQueue {
     return std::uint64_t{std::bit_cast<std::uint32_t>(cost)} << 32 | item;
   }
 
-  std::vector<Index> buckets_;         // [kBucketCount]: the first item of a list
-  std::vector<Index> next_;            // [item_count]
-  std::vector<float> cost_;            // [item_count]
+  Index new_chunk(Index next) {
+    Index chunk = free_;
+    if (chunk != kNone) {
+      free_ = chunks_[chunk].next;
+    } else {
+      chunk = static_cast<Index>(chunks_.size());
+      chunks_.emplace_back();
+    }
+    chunks_[chunk].next = next;
+    chunks_[chunk].count = 0;
+    return chunk;
+  }
+
+  // Empties a bucket into taken_.
+  void take(std::uint32_t bucket) {
+    taken_.clear();
+    for (Index at = std::exchange(buckets_[bucket], kNone); at != kNone;) {
+      Chunk& chunk = chunks_[at];
+      taken_.insert(taken_.end(), chunk.keys.begin(), chunk.keys.begin() + chunk.count);
+      const Index next = std::exchange(chunk.next, free_);
+      free_ = std::exchange(at, next);
+    }
+  }
+
+  std::vector<Index> buckets_;         // [kBucketCount]: the first chunk of a list, the only one that is not full
+  std::vector<Chunk> chunks_;          // those of all buckets, and free ones
+  Index free_ = kNone;                 // the first chunk of the list of free ones
   std::vector<std::uint64_t> sorted_;  // the current bucket, cheapest last
   std::vector<std::uint64_t> late_;    // a heap: what was pushed into the current bucket or an earlier one
-  std::vector<Index> taken_;           // scratch
+  std::vector<std::uint64_t> taken_;   // scratch
   std::uint32_t current_ = 0;          // the bucket that is in sorted_
 };
 

@@ -17,8 +17,6 @@ struct Edges {
   std::vector<Index> some_triangle;        // [edge_count], the first triangle on it
 };
 
-inline bool is_degenerate(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
-
 Edges find_edges(const Mesh& mesh);
 
 }  // namespace limber

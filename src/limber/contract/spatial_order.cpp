@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "limber/contract/bounds.h"
+
 namespace limber {
 namespace {
 
@@ -16,8 +18,7 @@ std::uint32_t spread(std::uint32_t bits) {
 }
 
 std::vector<Index> order_along_curve(std::span<const Vec3f> positions) {
-  Box box;
-  for (const Vec3f& p : positions) box.add(static_cast<Vec3d>(p));
+  const Box box = bounds(positions);
   const Vec3d extent = box.empty() ? Vec3d{} : box.high - box.low;
   const double longest = std::max({extent.x, extent.y, extent.z});
   const double scale = longest > 0 ? 1023 / longest : 0;

@@ -4,20 +4,18 @@
 #include <algorithm>
 #include <cassert>
 
-#include "limber/contract/edges.h"
+#include "limber/contract/bounds.h"
 
 namespace limber {
 
 Normalization normalization(std::span<const Vec3f> positions) {
-  Box box;
-  for (const Vec3f& p : positions) box.add(static_cast<Vec3d>(p));
+  const Box box = bounds(positions);
   const double scale = 1 / box.diagonal();
   return {box.center(), std::isfinite(scale) ? scale : 1.0};
 }
 
-VertexQuadrics::VertexQuadrics(const Mesh& mesh, const QuadricOptions& options)
+VertexQuadrics::VertexQuadrics(const Mesh& mesh, const Edges& edges, const QuadricOptions& options)
     : triangles_(mesh.triangles), options_(options), areas_(mesh.vertex_count) {
-  const Edges edges = find_edges(mesh);
   for (Index e = 0; e < edges.ends.size(); ++e)
     if (edges.triangle_count[e] == 1)
       border_edges_.push_back({edges.ends[e][0], edges.ends[e][1], edges.some_triangle[e]});

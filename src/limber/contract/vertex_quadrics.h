@@ -8,6 +8,7 @@
 #include "limber/base/mesh.h"
 #include "limber/base/quadric.h"
 #include "limber/base/vec.h"
+#include "limber/contract/edges.h"
 
 namespace limber {
 
@@ -36,7 +37,9 @@ Normalization normalization(std::span<const Vec3f> positions);
 // What is needed of the connectivity, found once per clip.
 class VertexQuadrics {
  public:
-  VertexQuadrics(const Mesh& mesh, const QuadricOptions& options);
+  VertexQuadrics(const Mesh& mesh, const QuadricOptions& options) : VertexQuadrics(mesh, find_edges(mesh), options) {}
+  // edges: find_edges(mesh).
+  VertexQuadrics(const Mesh& mesh, const Edges& edges, const QuadricOptions& options);
 
   // One pass over the triangles: each gives a third of its area-weighted plane to each corner; border edges give
   // their planes to both ends; every vertex gets its own point, so that no minimum is ever singular.

@@ -3,6 +3,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "limber/base/portable_math.h"
 
@@ -42,8 +43,15 @@ std::vector<Index> level_targets(Index vertex_count, const BuildOptions& options
 
 Hierarchy build_hierarchy(const Mesh& mesh, std::span<const std::span<const Vec3f>> frames,
                           const BuildOptions& options) {
+  return std::move(*build_hierarchy(mesh, frames, options, {}));
+}
+
+Result<Hierarchy> build_hierarchy(const Mesh& mesh, std::span<const std::span<const Vec3f>> frames,
+                                  const BuildOptions& options, const GoOnFunction& go_on) {
   Hierarchy hierarchy{{0, mesh.vertex_count}, std::vector<Index>(mesh.vertex_count, kNone)};
-  Contractor contractor(mesh, frames, options.contract);
+  const Error cancelled{ErrorCode::kCancelled, "", "interrupted"};
+  Contractor contractor(mesh, frames, options.contract, go_on);
+  if (contractor.is_cancelled()) return cancelled;
   const Index isolated_count = mesh.vertex_count - contractor.vertex_count();
 
   // node_of[v]: the node on the level made last that v belongs to.
@@ -51,6 +59,7 @@ Hierarchy build_hierarchy(const Mesh& mesh, std::span<const std::span<const Vec3
   for (Index v = 0; v < mesh.vertex_count; ++v) node_of[v] = v;
   for (const Index target : level_targets(contractor.vertex_count(), options)) {
     const Index size = contractor.contract_to(target) + isolated_count;
+    if (contractor.is_cancelled()) return cancelled;
     const Index level = hierarchy.level_count();
     if (size == hierarchy.level_size(level - 1)) continue;
     const Index first = hierarchy.node_count();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "limber/base/mesh.h"
+#include "limber/base/result.h"
 #include "limber/base/vec.h"
 #include "limber/contract/contract.h"
 #include "limber/hierarchy/hierarchy.h"
@@ -32,6 +33,10 @@ inline constexpr Index kSmallestLevel = 12;
 // the one below are left out. Nodes of a level are numbered by their first vertex.
 Hierarchy build_hierarchy(const Mesh& mesh, std::span<const std::span<const Vec3f>> frames,
                           const BuildOptions& options);
+
+// The same, but asks go_on often enough for a person who waits. Error: kCancelled when it gives false.
+Result<Hierarchy> build_hierarchy(const Mesh& mesh, std::span<const std::span<const Vec3f>> frames,
+                                  const BuildOptions& options, const GoOnFunction& go_on);
 
 // The vertex counts that build_hierarchy aims at above the finest level, decreasing, for a mesh of this many vertices.
 // Sizes asked for that are not smaller than the mesh are left out.

@@ -82,13 +82,15 @@ Result<void> StreamBuilder::make_base() {
   if (!go_on(BuildStage::kBase, 0)) return cancelled();
   report_.base_frame_count = static_cast<std::uint32_t>(base->positions.size());
   const std::vector<std::span<const Vec3f>> frames(base->positions.begin(), base->positions.end());
-  Hierarchy hierarchy = build_hierarchy(clip_.mesh(), frames, options_.hierarchy);
-  for (Index level = 0; level < hierarchy.level_count(); ++level)
-    report_.level_sizes.push_back(hierarchy.level_size(level));
+  Result<Hierarchy> hierarchy =
+      build_hierarchy(clip_.mesh(), frames, options_.hierarchy, [this] { return go_on(BuildStage::kBase, 0); });
+  if (!hierarchy) return hierarchy.error();
+  for (Index level = 0; level < hierarchy->level_count(); ++level)
+    report_.level_sizes.push_back(hierarchy->level_size(level));
   ReclusterOptions recluster = options_.recluster;
   recluster.topology = options_.hierarchy.contract.topology;
   recluster.quadrics = options_.hierarchy.contract.quadrics;
-  reclusterer_ = std::make_unique<Reclusterer>(clip_.mesh(), std::move(hierarchy), recluster);
+  reclusterer_ = std::make_unique<Reclusterer>(clip_.mesh(), std::move(*hierarchy), recluster);
   return clip_.rewind();
 }
 

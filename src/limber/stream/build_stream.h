@@ -40,7 +40,8 @@ struct BuildProgress {
   std::optional<std::uint32_t> frame_count;  // of this stage, where known
 };
 
-// Called after each frame and at the beginning of each stage, on the thread of the caller. False: stop.
+// Called after each frame, at the beginning of each stage and again and again while the base hierarchy is made, on the
+// thread of the caller. False: stop.
 using BuildProgressFunction = std::function<bool(const BuildProgress&)>;
 
 // Of the numbers of all frames: their mean, and the least that 95 % of them do not exceed.

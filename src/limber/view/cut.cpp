@@ -19,7 +19,6 @@ namespace limber {
 
 namespace {
 
-bool is_degenerate(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
 // Adds to the area of each node that of its surface; a third of each triangle goes to each corner.
 void measure_areas(const Mesh& mesh, const FrameState& state, std::span<double> area) {
