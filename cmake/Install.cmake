@@ -11,9 +11,6 @@ set(limber_known_dependencies
     "fmt::fmt|fmt|fmt|"
     "TBB::tbb|TBB|tbb|"
     "Threads::Threads|Threads||-pthread"
-    "zstd::libzstd_shared|zstd|libzstd|"
-    "PkgConfig::zstd|PkgConfig:zstd=libzstd|libzstd|"
-    "PkgConfig::ZSTD|PkgConfig:ZSTD=libzstd|libzstd|"
     "embree|embree||-lembree3"
     "meshoptimizer::meshoptimizer|meshoptimizer||-lmeshoptimizer"
     "nlohmann_json::nlohmann_json|nlohmann_json||"
@@ -40,12 +37,7 @@ foreach(target IN LISTS linked)
     list(GET row 1 package)
     list(GET row 2 pc)
     list(GET row 3 libs)
-    if(package MATCHES "^PkgConfig:(.*)=(.*)$")
-      string(APPEND limber_find_dependencies "find_dependency(PkgConfig)\n"
-                    "pkg_check_modules(${CMAKE_MATCH_1} REQUIRED IMPORTED_TARGET ${CMAKE_MATCH_2})\n")
-    else()
-      string(APPEND limber_find_dependencies "find_dependency(${package})\n")
-    endif()
+    string(APPEND limber_find_dependencies "find_dependency(${package})\n")
     if(pc)
       string(APPEND limber_pc_requires ", ${pc}")
     endif()

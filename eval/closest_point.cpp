@@ -16,9 +16,10 @@
 #include <cmath>
 #include <embree3/rtcore.h>
 #include <limits>
-#include <tbb/parallel_for.h>
 #include <tuple>
 #include <vector>
+
+#include "eval/parallel_for.h"
 
 namespace limber::eval {
 namespace {
@@ -211,9 +212,9 @@ ClosestPoint ClosestPointTree::closest(const Vec3d& p, Index hint) const {
 
 void ClosestPointTree::closest(std::span<const Vec3d> points, std::span<ClosestPoint> closest_points) const {
   assert(points.size() == closest_points.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 256), [&](const auto& range) {
+  parallel_for_ranges(points.size(), 256, [&](std::size_t first, std::size_t end) {
     Index hint = kNone;
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+    for (std::size_t i = first; i < end; ++i) {
       closest_points[i] = closest(points[i], hint);
       hint = closest_points[i].triangle;
     }

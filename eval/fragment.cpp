@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include "eval/normals.h"
+#include "eval/parallel_for.h"
 #include "eval/srgb.h"
 
 namespace limber::eval {
@@ -17,13 +16,13 @@ Scene make_scene(const Subject& subject, const Camera& camera, const RenderOptio
   scene.extent = bounding_box(subject.triangles, subject.positions).diagonal();
   scene.points.resize(subject.positions.size());
   scene.boxes.resize(subject.triangles.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, scene.points.size(), 4096), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+  parallel_for_ranges(scene.points.size(), 4096, [&](std::size_t first, std::size_t end) {
+    for (std::size_t i = first; i < end; ++i) {
       scene.points[i] = scene.projection.project(Vec3d(subject.positions[i]));
     }
   });
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, scene.boxes.size(), 4096), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+  parallel_for_ranges(scene.boxes.size(), 4096, [&](std::size_t first, std::size_t end) {
+    for (std::size_t i = first; i < end; ++i) {
       const Triangle& t = subject.triangles[i];
       const ScreenPoint corners[3] = {scene.points[t[0]], scene.points[t[1]], scene.points[t[2]]};
       scene.boxes[i] = pixel_box(corners, options.width, options.height, 0.0);

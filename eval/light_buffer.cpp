@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <tbb/parallel_for.h>
+
+#include "eval/parallel_for.h"
 
 namespace limber::eval {
 namespace {
@@ -27,7 +28,7 @@ LightBuffer::LightBuffer(const Scene& scene)
   entries_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
   const SamplePattern center = sample_pattern(1);
   std::vector<TilePlaces> places(scene.bins.offsets.size() - 1);
-  tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t index) {
+  parallel_for(places.size(), [&](std::size_t index) {
     const std::span<const Index> items = items_of(scene.bins, index);
     if (items.empty()) return;
     TileSamples tile;

@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include "eval/finite.h"
+#include "eval/parallel_for.h"
 
 namespace limber::eval {
 namespace {
@@ -174,14 +173,13 @@ std::vector<Reached> reached_light(std::span<const Triangle> triangles, std::spa
   std::vector<DepthMap> maps(std::min(kBatch, lights.size()));
   for (std::size_t first = 0; first < lights.size(); first += kBatch) {
     const std::size_t count = std::min(kBatch, lights.size() - first);
-    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
+    parallel_for(count, [&](std::size_t k) {
       make_map(occluders.triangles, occluders.positions, lights[first + k].towards, maps[k]);
     });
     // Every receiver adds its lights in the same order on any number of threads.
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, receivers.size(), 2048), [&](const auto& range) {
+    parallel_for_ranges(receivers.size(), 2048, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = 0; k < count; ++k) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i)
-          add_light(maps[k], lights[first + k], receivers[i], sums[i]);
+        for (std::size_t i = begin; i < end; ++i) add_light(maps[k], lights[first + k], receivers[i], sums[i]);
       }
     });
   }

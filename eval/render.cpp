@@ -9,13 +9,12 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include "eval/finite.h"
 #include "eval/fragment.h"
 #include "eval/ground.h"
 #include "eval/light_buffer.h"
+#include "eval/parallel_for.h"
 #include "eval/shade.h"
 #include "eval/srgb.h"
 #include "eval/strokes.h"
@@ -245,9 +244,10 @@ Image render(const Subject& subject, const Camera& camera, const RenderOptions& 
 
   Image image(options.width, options.height, options.background);
   const SamplePattern pattern = sample_pattern(options.sample_count);
-  tbb::enumerable_thread_specific<TileScratch> scratch;
-  tbb::parallel_for(std::size_t{0}, picture.scene.bins.offsets.size() - 1,
-                    [&](std::size_t index) { render_tile(picture, pattern, index, scratch.local(), image); });
+  parallel_for_ranges(picture.scene.bins.offsets.size() - 1, 1, [&](std::size_t first, std::size_t end) {
+    TileScratch scratch;
+    for (std::size_t index = first; index < end; ++index) render_tile(picture, pattern, index, scratch, image);
+  });
   return image;
 }
 

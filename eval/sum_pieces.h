@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <tbb/parallel_for.h>
 #include <vector>
+
+#include "eval/parallel_for.h"
 
 namespace limber::eval {
 
@@ -17,8 +18,7 @@ inline constexpr std::size_t kPiece = 1024;
 template <class Sums, class Piece>
 Sums sum_pieces(std::size_t total, const Piece& piece) {
   std::vector<Sums> sums((total + kPiece - 1) / kPiece);
-  tbb::parallel_for(std::size_t{0}, sums.size(),
-                    [&](std::size_t i) { sums[i] = piece(i * kPiece, std::min(kPiece, total - i * kPiece)); });
+  parallel_for(sums.size(), [&](std::size_t i) { sums[i] = piece(i * kPiece, std::min(kPiece, total - i * kPiece)); });
   Sums all;
   for (const Sums& part : sums) all += part;
   return all;

@@ -23,6 +23,7 @@ struct Arguments {
   ClipArgument clip;
   OutputArgument output;
   BuildStreamOptions options;
+  bool dry_run = false;
 };
 
 void check_arguments(const Arguments& arguments, const Console& console) {
@@ -122,6 +123,26 @@ Json to_json(const Arguments& arguments, const BuildReport& report, const Mesh& 
             {"total", s.total}}}};
 }
 
+// Reads no more than the first frame.
+Result<Exit> say_what_would_be_done(const Arguments& arguments, ClipReader& clip, Console& console) {
+  const Mesh& mesh = clip.mesh();
+  std::vector<Vec3f> positions(mesh.vertex_count);
+  const Result<bool> read = clip.read(positions);
+  if (!read) return read.error();
+  std::vector<Index> levels = level_targets(mesh.vertex_count, arguments.options.hierarchy);
+  levels.insert(levels.begin(), mesh.vertex_count);
+  const std::optional<std::uint32_t> frame_count = clip.frame_count();
+  console.print("{}: would have {} frames, {} vertices, {} triangles; nothing is written\n", arguments.output.path,
+                frame_count ? fmt::format("{}", *frame_count) : "all", mesh.vertex_count, mesh.triangles.size());
+  console.print("levels        {} or near\n", fmt::join(levels, " "));
+  console.report("limber.build_plan/1", {{"output", arguments.output.path},
+                                         {"frames", frame_count ? Json(*frame_count) : Json(nullptr)},
+                                         {"vertices", mesh.vertex_count},
+                                         {"triangles", mesh.triangles.size()},
+                                         {"levels", levels}});
+  return Exit::kDone;
+}
+
 Result<Exit> build(Arguments arguments, Console& console) {
   check_arguments(arguments, console);
   auto clip = open_any_clip(arguments.clip);
@@ -138,6 +159,8 @@ Result<Exit> build(Arguments arguments, Console& console) {
     if (!created) return created.error();
     file = std::move(*created);
   }
+  // Here, so that an output that is in the way is found out, too.
+  if (arguments.dry_run) return say_what_would_be_done(arguments, **clip, console);
   arguments.options.threads = console.conventions.threads;
   const Result<BuildReport> report = build_with_progress(**clip, arguments.options, sink, console);
   if (!report && report.error().code == ErrorCode::kCancelled) return interruption();
@@ -211,6 +234,7 @@ Action declare_build(CLI::App& app) {
   const auto arguments = std::make_shared<Arguments>();
   declare_clip(app, arguments->clip);
   declare_output(app, arguments->output, "the stream: out.limber, or - for standard output");
+  app.add_flag("--dry-run", arguments->dry_run, "look at the first frame, say what would be done, and write nothing");
   declare_levels(app, arguments->options);
   declare_reclustering(app, arguments->options.recluster);
   declare_encoding(app, arguments->options.encoder);

@@ -63,8 +63,7 @@ Result<std::vector<Extracted>> extract_levels(eval::StreamLevels& levels, const 
                                               const OutputArgument* output, Console& console) {
   std::optional<MeshSequenceWriter> writer;
   if (output != nullptr) {
-    auto created = MeshSequenceWriter::create(output->path, levels.first_frame_number() + range.first,
-                                              {.replace = output->replace});
+    auto created = open_mesh_output(*output, levels.first_frame_number() + range.first, console);
     if (!created) return created.error();
     writer.emplace(std::move(*created));
   }
@@ -146,7 +145,7 @@ void check_usage(const Arguments& arguments) {
   if (arguments.frame && (arguments.stream.options.first || arguments.stream.options.last))
     throw UsageError("--frame excludes --first and --last");
   const std::string& path = arguments.output.path;
-  if (!path.empty() && !is_picture(path) && !mesh_format(path))
+  if (!path.empty() && !arguments.output.is_standard_output() && !is_picture(path) && !mesh_format(path))
     throw UsageError(fmt::format("{} is nothing that limber extracts; the extensions are .obj .ply .off .png", path));
   if (arguments.picture.given && !is_picture(path))
     throw UsageError("options of pictures need an output that ends in .png");
@@ -162,6 +161,10 @@ Result<Exit> extract_verb(Arguments arguments, Console& console) {
   if (!range) return range.error();
   const std::string& path = arguments.output.path;
   const bool many = range->end - range->first > 1;
+  if (many && arguments.output.is_standard_output()) {
+    throw UsageError(fmt::format("standard output takes one frame, and there are {}; choose one with --frame N",
+                                 range->end - range->first));
+  }
   if (many && !path.empty() && !is_numbered(path))
     throw UsageError(
         fmt::format("{} is one file for {} frames; choose one with --frame N, or number the files as in "
@@ -198,10 +201,9 @@ Action declare_extract(CLI::App& app) {
   app.add_option("--first", arguments->stream.options.first, "first frame, as the source numbers them")->type_name("N");
   app.add_option("--last", arguments->stream.options.last, "last frame, as the source numbers them")->type_name("N");
   declare_level(app, arguments->level);
-  declare_output(app, arguments->output,
-                 "lod.obj (or .ply, .off), 'lod/%04d.obj' for several frames, or a picture, lod.png; without it, only "
-                 "the sizes are said",
-                 false);
+  declare_mesh_output(app, arguments->output,
+                      "lod.obj (or .ply, .off), 'lod/%04d.obj' for several frames, - for standard output, or a "
+                      "picture, lod.png; without it, only the sizes are said");
   declare_picture(app, arguments->picture);
   return [arguments](Console& console) { return extract_verb(*arguments, console); };
 }

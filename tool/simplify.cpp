@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <tbb/parallel_for.h>
 
 #include "eval/comparison.h"
+#include "eval/parallel_for.h"
 #include "limber/clip/mesh_sequence_writer.h"
 #include "limber/stream/base_frames.h"
 #include "tool/clip_argument.h"
@@ -46,15 +46,18 @@ struct Work {
   }
 };
 
-Result<Work> begin(const Arguments& arguments, bool needs_base_frames, Progress& progress) {
+Result<Work> begin(const Arguments& arguments, bool needs_base_frames, Progress& progress, Console& console) {
   Work work;
   auto clip = open_any_clip(arguments.clip);
   if (!clip) return clip.error();
   work.clip = std::move(*clip);
   work.options = method_options(arguments.method, work.clip->mesh());
   if (!arguments.output.path.empty()) {
-    auto writer = MeshSequenceWriter::create(arguments.output.path, work.clip->first_frame_number(),
-                                             {.replace = arguments.output.replace});
+    const std::uint32_t frame_count = work.clip->frame_count().value_or(1);
+    if (arguments.output.is_standard_output() && frame_count > 1)
+      throw UsageError(
+          fmt::format("standard output takes one frame, and there are {}; see --first and --last", frame_count));
+    auto writer = open_mesh_output(arguments.output, work.clip->first_frame_number(), console);
     if (!writer) return writer.error();
     work.writer.emplace(std::move(*writer));
   }
@@ -92,8 +95,7 @@ Result<std::vector<Size>> simplify_clip(Work& work, const eval::MethodInfo& info
       if ((ended = !*more)) break;
       ++count;
     }
-    tbb::parallel_for(std::size_t{0}, count,
-                      [&](std::size_t i) { lanes[i].method->frame(lanes[i].positions, lanes[i].made); });
+    eval::parallel_for(count, [&](std::size_t i) { lanes[i].method->frame(lanes[i].positions, lanes[i].made); });
     for (std::size_t i = 0; i < count; ++i) {
       if (Result<void> written = work.write(lanes[i].made); !written) return written.error();
       sizes.push_back(size_of(lanes[i].made));
@@ -188,7 +190,7 @@ Result<Exit> simplify_verb(const Arguments& arguments, Console& console) {
   Progress progress(console, "reading");
   const bool needs_base_frames =
       std::ranges::any_of(methods, [](const eval::MethodInfo* info) { return info->uses_base_frames; });
-  Result<Work> work = begin(arguments, needs_base_frames, progress);
+  Result<Work> work = begin(arguments, needs_base_frames, progress, console);
   if (!work) return work.error();
   if (arguments.measure) {
     const Result<eval::Comparison> comparison = compare_methods(*work, methods, arguments.distance, progress);
@@ -214,7 +216,8 @@ Action declare_simplify(CLI::App& app) {
   const auto arguments = std::make_shared<Arguments>();
   declare_clip(app, arguments->clip);
   declare_method(app, arguments->method);
-  declare_output(app, arguments->output, "'out/%04d.obj' (or .ply, .off), or out.obj for a single mesh", false);
+  declare_mesh_output(app, arguments->output,
+                      "'out/%04d.obj' (or .ply, .off), or for a single mesh out.obj, or - for standard output");
   app.add_flag("--measure", arguments->measure,
                "distance to the input, flicker, changed triangles, quadric error and processor time");
   declare_sampling(app, arguments->distance);

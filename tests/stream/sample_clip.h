@@ -14,6 +14,7 @@
 #include "limber/hierarchy/hierarchy.h"
 #include "limber/stream/decoder.h"
 #include "limber/stream/encoder.h"
+#include "tests/support/grid.h"
 
 namespace limber::test {
 
@@ -30,20 +31,6 @@ struct SampleClip {
 
   std::span<const Vec3f> first_positions() const { return std::span(frames[0].positions).first(mesh.vertex_count); }
 };
-
-// `width` x `height` vertices, two triangles per cell.
-inline Mesh grid(Index width, Index height) {
-  Mesh mesh;
-  mesh.vertex_count = width * height;
-  for (Index y = 0; y + 1 < height; ++y) {
-    for (Index x = 0; x + 1 < width; ++x) {
-      const Index v = y * width + x;
-      mesh.triangles.push_back({v, v + 1, v + width + 1});
-      mesh.triangles.push_back({v, v + width + 1, v + width});
-    }
-  }
-  return mesh;
-}
 
 // A grid with everything a mesh may have: an isolated vertex, a degenerate and a repeated triangle, an edge with
 // three triangles, a triangle the other way round.

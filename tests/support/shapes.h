@@ -10,6 +10,7 @@
 
 #include "limber/base/mesh.h"
 #include "limber/base/vec.h"
+#include "tests/support/grid.h"
 
 namespace limber::test {
 
@@ -59,17 +60,11 @@ inline Shape quantized(const Shape& shape, float steps) {
 // its squares are there.
 template <class Keep>
 Shape sheet(Index columns, Index rows, const Keep& keep) {
-  Shape s;
-  s.mesh.vertex_count = columns * rows;
+  Shape s{grid(columns, rows), {}};
   for (Index y = 0; y < rows; ++y) {
-    for (Index x = 0; x < columns; ++x) {
-      s.positions.push_back({static_cast<float>(x), static_cast<float>(y), 0});
-      if (x + 1 == columns || y + 1 == rows || !keep(x, y)) continue;
-      const Index a = y * columns + x, b = a + 1, c = a + columns, d = c + 1;
-      s.mesh.triangles.push_back({a, b, d});
-      s.mesh.triangles.push_back({a, d, c});
-    }
+    for (Index x = 0; x < columns; ++x) s.positions.push_back({static_cast<float>(x), static_cast<float>(y), 0});
   }
+  std::erase_if(s.mesh.triangles, [&](const Triangle& t) { return !keep(t[0] % columns, t[0] / columns); });
   return s;
 }
 

@@ -29,6 +29,26 @@ TEST_F(Build, OneThreadAndTwoThreadsGiveTheSameBytes) {
   EXPECT_EQ(bytes(stream("a.limber", {"-j", "1"})), bytes(stream("b.limber", {"-j", "2"})));
 }
 
+TEST_F(Build, ADryRunSaysWhatWouldBeDoneAndWritesNothing) {
+  const Ran ran = run({"build", kSample, "-o", path("a.limber"), "--dry-run", "--levels", "300,50", "--json"});
+  ASSERT_EQ(ran.exit, Exit::kDone) << ran.err;
+  const auto json = ran.json();
+  EXPECT_EQ(json["frames"], 8);
+  EXPECT_EQ(json["vertices"], 600);
+  EXPECT_EQ(json["levels"][0], 600);
+  EXPECT_EQ(json["levels"][1], 300);
+  EXPECT_THAT(names(), IsEmpty());
+}
+
+TEST_F(Build, ADryRunFindsWhatIsInTheWay) {
+  write(path("a.limber"), "mine");
+  EXPECT_EQ(run({"build", kSample, "-o", path("a.limber"), "--dry-run"}).exit, Exit::kFailure);
+  EXPECT_EQ(run({"build", kSample, "-o", path("a.limber"), "--dry-run", "-f"}).exit, Exit::kDone);
+  EXPECT_EQ(bytes(path("a.limber")), "mine");
+  write(path("b.obj"), "v 0 0 0\nf 1 2 3\n");
+  EXPECT_EQ(run({"build", path("b.obj"), "-o", path("b.limber"), "--dry-run"}).exit, Exit::kBadInput);
+}
+
 TEST_F(Build, QuietSaysNothingOnStandardError) {
   const Ran ran = run({"build", kSample, "-o", path("a.limber"), "-q"});
   EXPECT_EQ(ran.exit, Exit::kDone);

@@ -112,5 +112,26 @@ TEST_F(Process, CompletionKnowsVerbsOptionsAndSamples) {
   EXPECT_THAT(complete("limber build --topology f", 3), HasSubstr("free\n"));
 }
 
+TEST_F(Process, AMeshGoesToStandardOutputAsIntoAFile) {
+  const std::string file = stream();
+  for (const std::string format : {"obj", "ply", "off"}) {
+    EXPECT_EQ(bash(kLimber + " extract a.limber --frame 3 --vertices 100 -o - --format " + format), 0);
+    ASSERT_EQ(run({"extract", file, "--frame", "3", "--vertices", "100", "-o", path("b." + format)}).exit,
+              tool::Exit::kDone);
+    EXPECT_EQ(bytes(path("out")), bytes(path("b." + format)));
+    EXPECT_THAT(bytes(path("err")), HasSubstr("frame 3"));
+  }
+  EXPECT_EQ(bash(kLimber + " simplify b.obj --method direct --vertices 50 -o -"), 0);
+  EXPECT_THAT(bytes(path("out")), testing::StartsWith("v "));
+}
+
+TEST_F(Process, StandardOutputTakesOneMeshAndNoJsonBesides) {
+  stream();
+  EXPECT_EQ(bash(kLimber + " extract a.limber --vertices 100 -o -"), 2);
+  EXPECT_EQ(bash(kLimber + " extract a.limber --frame 3 -o - --json"), 2);
+  EXPECT_EQ(bash(kLimber + " simplify '" + kSample + "' --method direct --vertices 50 -o -"), 2);
+  EXPECT_THAT(bytes(path("out")), IsEmpty());
+}
+
 }  // namespace
 }  // namespace limber::test

@@ -11,6 +11,7 @@
 #include "limber/base/vec.h"
 #include "limber/hierarchy/hierarchy.h"
 #include "limber/stream/frame_state.h"
+#include "tests/support/grid.h"
 
 namespace limber::test {
 
@@ -37,15 +38,11 @@ class Random {
 // A wavy sheet of columns x rows vertices, with a border.
 inline Surface sheet(Index columns, Index rows) {
   Surface s;
-  s.mesh.vertex_count = columns * rows;
+  s.mesh = grid(columns, rows);
   for (Index y = 0; y < rows; ++y) {
     for (Index x = 0; x < columns; ++x) {
       const auto u = static_cast<float>(x), v = static_cast<float>(y);
       s.positions.push_back({u, v, std::sin(0.7f * u) + std::cos(0.3f * v * u)});
-      if (x + 1 == columns || y + 1 == rows) continue;
-      const Index a = y * columns + x, b = a + 1, c = a + columns, d = c + 1;
-      s.mesh.triangles.push_back({a, b, d});
-      s.mesh.triangles.push_back({a, d, c});
     }
   }
   return s;

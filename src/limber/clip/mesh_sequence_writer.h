@@ -18,6 +18,11 @@ class MeshSequenceWriter {
   static Result<MeshSequenceWriter> create(const std::filesystem::path& pattern, std::uint32_t first_number,
                                            const MeshWriteOptions& options = {});
 
+  // A single mesh to standard output.
+  static MeshSequenceWriter to_standard_output(MeshFormat format) {
+    return MeshSequenceWriter(OutputSequence::standard_output(), format, {});
+  }
+
   Result<void> write(const MeshParts& mesh);
   Result<void> finish() { return files_.finish(); }
 

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <vector>
 
-#include "limber/clip/output_buffer.h"
+#include "limber/clip/mesh_text.h"
 #include "limber/clip/text_scanner.h"
 
 namespace limber {
@@ -135,15 +135,7 @@ Result<void> write_off(OutputFile& file, const MeshParts& mesh) {
   OutputBuffer out(file);
   out.append(mesh.normals.empty() ? "OFF\n" : "NOFF\n");
   out.append_integer(mesh.positions.size()).append(" ").append_integer(mesh.triangles.size()).append(" 0\n");
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    out.append_vector(mesh.positions[i]);
-    if (!mesh.normals.empty()) out.append(" ").append_vector(mesh.normals[i]);
-    out.append("\n");
-  }
-  for (const Triangle& t : mesh.triangles) {
-    out.append("3 ").append_integer(t[0]).append(" ").append_integer(t[1]).append(" ").append_integer(t[2]).append(
-        "\n");
-  }
+  append_text_body(mesh, out);
   return out.finish();
 }
 

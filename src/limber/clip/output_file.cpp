@@ -2,11 +2,13 @@
 #include "limber/clip/output_file.h"
 
 #include <cerrno>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <random>
 #include <string>
 #include <sys/types.h>
 #include <system_error>
+#include <unistd.h>
 #include <utility>
 
 namespace limber {
@@ -67,6 +69,18 @@ Result<OutputFile> OutputFile::create(const fs::path& path, bool replace) {
     return output.system_error("cannot be created");
   }
   if (fs::exists(status)) fs::permissions(output.temporary_, status.permissions(), ignored);
+  return output;
+}
+
+Result<OutputFile> OutputFile::standard_output() {
+  OutputFile output;
+  output.path_ = output.target_ = "standard output";
+  std::fflush(stdout);
+  errno = 0;
+  // A copy, so that closing it, which finds out whether all could be written, leaves the process its own.
+  const int copy = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0);
+  if (copy >= 0) output.file_.reset(fdopen(copy, "wb"));
+  if (!output.file_) return output.system_error("cannot be opened");
   return output;
 }
 

@@ -24,6 +24,9 @@ class OutputFile {
   // Errors: kExists where there is a file and `replace` is false; kNotFound where the folder is missing; kIo.
   static Result<OutputFile> create(const std::filesystem::path& path, bool replace);
 
+  // What is written goes to standard output directly, under the name "standard output".
+  static Result<OutputFile> standard_output();
+
   OutputFile(OutputFile&& other) noexcept;
   OutputFile& operator=(OutputFile&& other) noexcept;
   ~OutputFile();

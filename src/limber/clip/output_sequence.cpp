@@ -48,6 +48,13 @@ Result<OutputSequence> OutputSequence::create(const fs::path& pattern, std::uint
   return sequence;
 }
 
+OutputSequence OutputSequence::standard_output() {
+  OutputSequence sequence;
+  sequence.single_ = sequence.is_standard_output_ = true;
+  sequence.name_.prefix = "standard output";
+  return sequence;
+}
+
 OutputSequence::~OutputSequence() {
   files_.clear();
   std::error_code ignored;
@@ -64,7 +71,7 @@ Result<OutputFile*> OutputSequence::next() {
     if (Result<void> done = files_.back().close(); !done) return done.error();
   }
   const fs::path path = folder_ / (single_ ? name_.prefix : name_.name(next_number_++));
-  Result<OutputFile> file = OutputFile::create(path, replace_);
+  Result<OutputFile> file = is_standard_output_ ? OutputFile::standard_output() : OutputFile::create(path, replace_);
   if (!file) return file.error();
   files_.push_back(std::move(*file));
   return &files_.back();

@@ -22,6 +22,9 @@ class OutputSequence {
   // frames mix with the new. With `replace`, files are replaced one by one, and others that fit the pattern stay.
   static Result<OutputSequence> create(const std::filesystem::path& pattern, std::uint32_t first_number, bool replace);
 
+  // A single file: standard output.
+  static OutputSequence standard_output();
+
   OutputSequence(OutputSequence&&) = default;
   OutputSequence& operator=(OutputSequence&&) = delete;
   ~OutputSequence();
@@ -39,6 +42,7 @@ class OutputSequence {
   std::filesystem::path folder_;
   NumberedName name_;
   bool single_ = false;
+  bool is_standard_output_ = false;
   std::uint64_t next_number_ = 0;
   bool replace_ = false;
   std::vector<OutputFile> files_;

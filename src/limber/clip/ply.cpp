@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "limber/clip/byte_order.h"
-#include "limber/clip/output_buffer.h"
+#include "limber/clip/mesh_text.h"
 #include "limber/clip/ply_header.h"
 #include "limber/clip/text_scanner.h"
 
@@ -246,15 +246,7 @@ Result<void> write_ply_binary(OutputFile& file, const MeshParts& mesh) {
 Result<void> write_ply_text(OutputFile& file, const MeshParts& mesh) {
   OutputBuffer out(file);
   out.append(header_text("ascii", mesh));
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    out.append_vector(mesh.positions[i]);
-    if (!mesh.normals.empty()) out.append(" ").append_vector(mesh.normals[i]);
-    out.append("\n");
-  }
-  for (const Triangle& t : mesh.triangles) {
-    out.append("3 ").append_integer(t[0]).append(" ").append_integer(t[1]).append(" ").append_integer(t[2]).append(
-        "\n");
-  }
+  append_text_body(mesh, out);
   return out.finish();
 }
 
