@@ -60,7 +60,7 @@ TEST(Residuals, ComeBackFromTheirBytes) {
     for (int i = 0; i < 2000; ++i) {
       std::pair<Activity, Lattice> one;
       for (std::size_t k = 0; k < 3; ++k) {
-        one.first[k] = static_cast<std::uint32_t>(random()) >> (5 + random() % 27);
+        one.first[k] = static_cast<std::uint32_t>(random()) >> (6 + random() % 26);
         one.second[k] = static_cast<std::int32_t>(static_cast<std::uint32_t>(random()) >> (random() % 32));
         if (random() % 2) one.second[k] = -one.second[k];
       }
@@ -85,7 +85,7 @@ TEST(Residuals, ReadAnythingFromGarbageAndSaySo) {
     for (std::byte& byte : garbage) byte = static_cast<std::byte>(random());
     ResidualStatistics statistics;
     ResidualReader reader(garbage, statistics);
-    for (int i = 0; i < 200; ++i) reader.code({static_cast<std::uint32_t>(random()) >> (5 + random() % 27), 0, 5});
+    for (int i = 0; i < 200; ++i) reader.code({static_cast<std::uint32_t>(random()) >> (6 + random() % 26), 0, 5});
     EXPECT_FALSE(reader.consistent());
   }
 }

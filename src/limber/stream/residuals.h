@@ -57,7 +57,7 @@ struct ResidualContext {
 };
 
 // No activity is as large: no class has more than 32 plain bits.
-inline constexpr std::uint32_t kActivityEnd = 1 << 27;
+inline constexpr std::uint32_t kActivityEnd = 1 << 26;
 
 // Below this nothing is shifted.
 inline constexpr std::uint32_t kShiftedActivity = 63;
