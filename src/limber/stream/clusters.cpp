@@ -12,7 +12,8 @@ Clusters::Clusters(std::span<const Index> level_begin, const IndexLists& neighbo
       first_child_(level_begin.back(), kNone),
       next_(level_begin.back(), kNone),
       previous_(level_begin.back(), kNone),
-      slot_(level_begin.back(), kNone),
+      edge_count_(std::size_t{level_begin.back()} + 1, 0),
+      found_(std::size_t{level_begin.back()} - level_begin[1] + 2),
       candidates_(level_begin.back() - level_begin[1]),
       changed_(candidates_.size()) {}
 
@@ -43,16 +44,59 @@ void Clusters::apply(const Swap& swap) {
   link(node);
 }
 
+// The finest descendants of `node`, without recursion: hierarchies may have any number of levels.
+template <class Visit>
+void Clusters::for_each_vertex(Index level, Index node, Visit&& visit) const {
+  if (level == 0) return visit(node);
+  Index at = node;
+  Index at_level = level;
+  while (true) {
+    if (at_level > 1 && first_child_[at] != kNone) {
+      at = first_child_[at];
+      --at_level;
+      continue;
+    }
+    if (at_level == 1)
+      for (Index vertex = first_child_[at]; vertex != kNone; vertex = next_[vertex]) visit(vertex);
+    while (at != node && next_[at] == kNone) {
+      at = parent_[at];
+      ++at_level;
+    }
+    if (at == node) return;
+    at = next_[at];
+  }
+}
+
+// Edges are counted without a branch: nothing foretells whether a cluster was met before, or is the node's own.
 std::span<const Candidate> Clusters::candidates(Index level, Index node, std::uint32_t& own_edge_count) {
-  candidate_count_ = 0;
-  own_edge_count = 0;
-  gather(level, node, own_edge_count);
-  const std::span found = std::span(candidates_).first(candidate_count_);
-  for (const Candidate& candidate : found) slot_[candidate.parent] = kNone;
-  std::sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
+  const Index* const parent = parent_.data();
+  std::uint32_t* const edge_count = edge_count_.data();
+  Index* const found = found_.data();
+  const Index no_cluster = level_begin_.back();
+  std::size_t found_count = 0;
+  std::uint32_t inner_edge_count = 0;  // these are among the edges to the own cluster
+  for_each_vertex(level, node, [&](Index vertex) {
+    for (Index label : neighbors_[vertex]) {
+      for (Index k = 0; k < level; ++k) label = parent[label];
+      inner_edge_count += label == node;
+      const Index cluster = std::min(parent[label], no_cluster);
+      found[found_count] = cluster;
+      found_count += edge_count[cluster]++ == 0;
+    }
+  });
+
+  const Index own = parent[node];
+  own_edge_count = own == kNone ? 0 : edge_count[own] - inner_edge_count;
+  std::size_t count = 0;
+  for (const Index cluster : std::span(found, found_count)) {
+    if (cluster != own && cluster != no_cluster) candidates_[count++] = {cluster, edge_count[cluster]};
+    edge_count[cluster] = 0;
+  }
+  const std::span candidates = std::span(candidates_).first(count);
+  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
     return a.edge_count != b.edge_count ? a.edge_count > b.edge_count : a.parent < b.parent;
   });
-  return found;
+  return candidates;
 }
 
 void Clusters::link(Index node) {
@@ -61,44 +105,6 @@ void Clusters::link(Index node) {
   next_[node] = first;
   if (first != kNone) previous_[first] = node;
   first = node;
-}
-
-// Walks the finest descendants of `node` without recursion: hierarchies may have any number of levels.
-void Clusters::gather(Index level, Index node, std::uint32_t& own_edge_count) {
-  const Index own = parent_[node];
-  const auto visit = [&](Index vertex) {
-    for (Index label : neighbors_[vertex]) {
-      for (Index k = 0; k < level; ++k) label = parent_[label];
-      if (label == node) continue;
-      const Index cluster = parent_[label];
-      if (cluster == kNone) continue;
-      if (cluster == own) {
-        ++own_edge_count;
-        continue;
-      }
-      if (slot_[cluster] == kNone) {
-        slot_[cluster] = candidate_count_;
-        candidates_[candidate_count_++] = {cluster, 0};
-      }
-      ++candidates_[slot_[cluster]].edge_count;
-    }
-  };
-  Index at = node;
-  Index at_level = level;
-  while (true) {
-    if (at_level > 0 && first_child_[at] != kNone) {
-      at = first_child_[at];
-      --at_level;
-      continue;
-    }
-    if (at_level == 0) visit(at);
-    while (at != node && next_[at] == kNone) {
-      at = parent_[at];
-      ++at_level;
-    }
-    if (at == node) return;
-    at = next_[at];
-  }
 }
 
 }  // namespace limber

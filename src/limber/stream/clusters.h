@@ -49,15 +49,16 @@ class Clusters {
 
  private:
   void link(Index node);
-  void gather(Index level, Index node, std::uint32_t& own_edge_count);
+  template <class Visit>
+  void for_each_vertex(Index level, Index node, Visit&& visit) const;
 
   std::span<const Index> level_begin_;
   const IndexLists& neighbors_;
   std::vector<Index> parent_;                         // [node_count]
   std::vector<Index> first_child_, next_, previous_;  // [node_count]: children in doubly linked lists
-  std::vector<Index> slot_;                           // [node_count]: where a cluster stands among the candidates
+  std::vector<std::uint32_t> edge_count_;             // [node_count + 1], the last for no cluster; 0 between calls
+  std::vector<Index> found_;                          // scratch: clusters whose count is not 0
   std::vector<Candidate> candidates_;
-  Index candidate_count_ = 0;
   std::vector<std::uint8_t> changed_;
 };
 

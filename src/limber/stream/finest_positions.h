@@ -72,7 +72,8 @@ class FinestPositions {
   static constexpr unsigned kActivityBits = 21;
 
   template <class Coder, class Actual>
-  void code_vertex(Index place, const Lattice64& predicted, std::uint64_t activity, Coder& coder, Actual& actual);
+  Lattice code_vertex(Index place, Index source_count, const Lattice64& predicted, std::uint64_t activity, Coder& coder,
+                      Actual& actual);
 
   const Traversal& traversal_;
   std::vector<Lattice> now_, before_;
@@ -94,47 +95,53 @@ void FinestPositions::code_key(Coder& coder, Actual&& actual) {
       activity += traces_[source].activity;
     }
     for (std::size_t k = 0; k < 3; ++k) predicted[k] = (predicted[k] + (1 << (kWeightBits - 1))) >> kWeightBits;
-    traces_[i].activity = 0;
-    code_vertex(i, predicted, activity, coder, actual);
+    now_[i] = code_vertex(i, begin[i + 1] - begin[i], predicted, activity, coder, actual);
   }
   before_ = now_;
 }
 
 template <class Coder, class Actual>
 void FinestPositions::code_step(const MotionFactors& factors, Coder& coder, Actual&& actual) {
-  const auto weights = motion_weights();
-  const auto& begin = traversal_.sources.begin;
+  // As local variables: else what is written might be taken for them.
+  const std::int16_t* const weights = motion_weights().data();
+  const Index* const begin = traversal_.sources.begin.data();
+  const Index* const sources = traversal_.sources.data.data();
+  Trace* const traces = traces_.data();
+  Lattice *const now = now_.data(), *const before = before_.data();
+  const auto vertex_count = static_cast<Index>(now_.size());
   constexpr int kBits = kFactorBits + kWeightBits;
   const std::int64_t past = std::int64_t{factors.past} * (1 << kWeightBits);
-  for (Index i = 0; i < now_.size(); ++i) {
-    const Lattice last = now_[i];
+  for (Index i = 0; i < vertex_count; ++i) {
+    const Lattice last = now[i];
     Lattice64 velocity, predicted;
     for (std::size_t k = 0; k < 3; ++k) {
-      velocity[k] = std::int64_t{last[k]} - before_[i][k];
+      velocity[k] = std::int64_t{last[k]} - before[i][k];
       predicted[k] = velocity[k] * past + (1 << (kBits - 1));
     }
-    std::uint64_t activity = traces_[i].activity;
+    std::uint64_t activity = traces[i].activity;
     for (Index s = begin[i]; s < begin[i + 1]; ++s) {
-      const Trace& source = traces_[traversal_.sources.data[s]];
+      const Trace& source = traces[sources[s]];
       const std::int64_t weight = weights[s];
       for (std::size_t k = 0; k < 3; ++k) predicted[k] += source.motion[k] * weight;
       activity += source.activity;
     }
     for (std::size_t k = 0; k < 3; ++k) predicted[k] = last[k] + (predicted[k] >> kBits);
-    code_vertex(i, predicted, activity, coder, actual);
-    before_[i] = last;
+    const Lattice here = code_vertex(i, begin[i + 1] - begin[i], predicted, activity, coder, actual);
+    now[i] = here;
+    before[i] = last;
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::int64_t motion = (std::int64_t{now_[i][k]} - last[k]) * factors.here - velocity[k] * factors.before;
-      traces_[i].motion[k] = static_cast<std::int32_t>(std::clamp(motion, -kMostMotion, kMostMotion));
+      const std::int64_t motion = (std::int64_t{here[k]} - last[k]) * factors.here - velocity[k] * factors.before;
+      traces[i].motion[k] = static_cast<std::int32_t>(std::clamp(motion, -kMostMotion, kMostMotion));
     }
   }
 }
 
 // How large a residual is to be expected: the mean of what was met at the sources and, at t-1, here.
 template <class Coder, class Actual>
-void FinestPositions::code_vertex(Index place, const Lattice64& predicted, std::uint64_t activity, Coder& coder,
-                                  Actual& actual) {
-  const std::size_t weight = 4 * (traversal_.sources.begin[place + 1] - traversal_.sources.begin[place] + 1);
+[[gnu::always_inline]] inline Lattice FinestPositions::code_vertex(Index place, Index source_count,
+                                                                   const Lattice64& predicted, std::uint64_t activity,
+                                                                   Coder& coder, Actual& actual) {
+  const std::size_t weight = 4 * (source_count + 1);
   Lattice residuals{};
   if constexpr (Coder::kEncodes) {
     const Lattice target = actual(place);
@@ -147,12 +154,14 @@ void FinestPositions::code_vertex(Index place, const Lattice64& predicted, std::
       coder.code({quadruple_mean(activity & kMask, weight), quadruple_mean((activity >> kActivityBits) & kMask, weight),
                   quadruple_mean(activity >> (2 * kActivityBits), weight)},
                  residuals);
-  for (std::size_t k = 0; k < 3; ++k)
-    now_[place][k] =
-        static_cast<std::int32_t>(static_cast<std::uint32_t>(predicted[k]) + static_cast<std::uint32_t>(residuals[k]));
   const std::uint64_t x = counted_magnitude(residuals[0]), y = counted_magnitude(residuals[1]),
                       z = counted_magnitude(residuals[2]);
   traces_[place].activity = (2 * x + y + z) | (x + 2 * y + z) << kActivityBits | (x + y + 2 * z) << (2 * kActivityBits);
+  Lattice position;
+  for (std::size_t k = 0; k < 3; ++k)
+    position[k] =
+        static_cast<std::int32_t>(static_cast<std::uint32_t>(predicted[k]) + static_cast<std::uint32_t>(residuals[k]));
+  return position;
 }
 
 }  // namespace limber

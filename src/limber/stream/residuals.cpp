@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "limber/stream/residuals.h"
 
-#include <numeric>
-
 namespace limber {
 namespace {
 
@@ -41,34 +39,43 @@ constexpr Counts kAssumedCounts = [] {
 }  // namespace
 
 void ResidualStatistics::reset() {
-  counts_ = kAssumedCounts;
+  for (std::size_t t = 0; t < kContextCount; ++t)
+    for (std::size_t c = 0; c < kClassCount; ++c) shares_[t][c].count = kAssumedCounts[t][c];
+  totals_.fill(0);
   update();
 }
 
 void ResidualStatistics::update() {
   for (std::size_t t = 0; t < kContextCount; ++t) {
-    auto& counts = counts_[t];
-    Table& table = tables_[t];
-    std::uint32_t total = std::accumulate(counts.begin(), counts.end(), 0u);
+    const std::span shares = std::span(shares_[t]).first(kClassCount);
+    const auto sum_counts = [&] {
+      std::uint32_t sum = 0;
+      for (const Share& share : shares) sum += share.count;
+      return sum;
+    };
+    std::uint32_t total = sum_counts();
+    if (total == totals_[t]) continue;
     while (total > kMostCounted) {
-      for (std::uint32_t& count : counts) count >>= 1;
-      total = std::accumulate(counts.begin(), counts.end(), 0u);
+      for (Share& share : shares) share.count >>= 1;
+      total = sum_counts();
     }
+    totals_[t] = total;
     // Every class keeps a frequency of at least 1: it may come although it never did.
     constexpr std::uint32_t kShared = (1u << kFrequencyBits) - kClassCount;
     std::uint32_t rest = kShared;
-    for (std::size_t c = 0; c < kClassCount; ++c) {
-      const std::uint32_t share = total == 0 ? 0 : counts[c] * kShared / total;
-      table.frequency[c] = static_cast<std::uint16_t>(1 + share);
-      rest -= share;
+    Share* most = &shares[0];
+    for (Share& share : shares) {
+      const std::uint32_t extra = total == 0 ? 0 : share.count * kShared / total;
+      share.frequency = static_cast<std::uint16_t>(1 + extra);
+      rest -= extra;
+      if (share.count > most->count) most = &share;
     }
-    const auto most = static_cast<std::size_t>(std::max_element(counts.begin(), counts.end()) - counts.begin());
-    table.frequency[most] = static_cast<std::uint16_t>(table.frequency[most] + rest);
+    most->frequency = static_cast<std::uint16_t>(most->frequency + rest);
     std::uint32_t start = 0;
     for (std::size_t c = 0; c < kClassCount; ++c) {
-      table.start[c] = static_cast<std::uint16_t>(start);
-      std::fill_n(table.class_at.begin() + start, table.frequency[c], static_cast<std::uint8_t>(c));
-      start += table.frequency[c];
+      shares[c].start = static_cast<std::uint16_t>(start);
+      std::fill_n(class_at_[t].begin() + start, shares[c].frequency, static_cast<std::uint8_t>(c));
+      start += shares[c].frequency;
     }
   }
 }
@@ -78,11 +85,52 @@ ResidualReader::ResidualReader(std::span<const std::byte> bytes, ResidualStatist
   if (bytes.size() < kStatesSize) return;
   const std::size_t word_count = load_little_endian<std::uint32_t>(&bytes[12]);
   if (word_count > (bytes.size() - kStatesSize) / 2) return;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    cursor_.states[axis] = load_little_endian<std::uint32_t>(&bytes[4 * axis]);
-  words_ = bytes.data() + kStatesSize;
+  for (std::size_t axis = 0; axis < 3; ++axis) states_[axis] = load_little_endian<std::uint32_t>(&bytes[4 * axis]);
+  words_ = bytes.subspan(kStatesSize);
+  plain_ = words_.subspan(2 * word_count);
   word_count_ = word_count;
-  cursor_.bits = BitReader(bytes.subspan(kStatesSize + 2 * word_count));
+}
+
+std::uint64_t ResidualReader::last_bytes(std::span<const std::byte> bytes, std::uint64_t at) {
+  std::uint64_t value = 0;
+  for (unsigned shift = 0; at < bytes.size() && shift < 64; shift += 8)
+    value |= std::uint64_t{std::to_integer<std::uint8_t>(bytes[static_cast<std::size_t>(at++)])} << shift;
+  return value;
+}
+
+Lattice ResidualReader::code_shifted(const Activity& activity) {
+  std::array<unsigned, 3> tables, shifts;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const ResidualContext context = residual_context(activity[k]);
+    tables[k] = context.table;
+    shifts[k] = context.shift;
+  }
+  return read_one_by_one(read_classes(tables), shifts);
+}
+
+Lattice ResidualReader::read_one_by_one(const std::array<std::size_t, 3>& classes,
+                                        const std::array<unsigned, 3>& shifts) {
+  std::array<std::uint32_t, 3> first;
+  std::array<unsigned, 3> plain;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t c = classes[k];
+    first[k] = c == kEscapeClass ? 0 : std::uint32_t{kClasses[c].first} << shifts[k];
+    plain[k] = c == kEscapeClass ? 32 : kClasses[c].bits + shifts[k];
+  }
+  const bool at_once = plain[0] + plain[1] + plain[2] + 3 <= kWholeBits;
+  Lattice residuals;
+  std::uint64_t bits = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (k == 0 || !at_once) bits = eight_bytes(plain_, bit_at_ >> 3) >> (bit_at_ & 7);
+    const std::uint32_t magnitude = first[k] + static_cast<std::uint32_t>(bits & ((std::uint64_t{1} << plain[k]) - 1));
+    bits >>= plain[k];
+    const std::uint32_t has_sign = magnitude != 0;
+    const std::uint32_t negative = 0u - (static_cast<std::uint32_t>(bits) & has_sign);
+    bits >>= has_sign;
+    bit_at_ += plain[k] + has_sign;
+    residuals[k] = static_cast<std::int32_t>((magnitude ^ negative) - negative);
+  }
+  return residuals;
 }
 
 Lattice ResidualWriter::code(const Activity& activity, const Lattice& residuals) {
@@ -90,14 +138,14 @@ Lattice ResidualWriter::code(const Activity& activity, const Lattice& residuals)
     const auto [table, shift] = residual_context(activity[axis]);
     const auto bits = static_cast<std::uint32_t>(residuals[axis]);
     const std::uint32_t magnitude = residuals[axis] < 0 ? 0u - bits : bits;
-    const int c = class_of(magnitude >> shift);
-    statistics_.count(table, c);
+    const unsigned c = class_of(magnitude >> shift);
+    ++statistics_.share(table, c).count;
     symbols_.push_back(
         {static_cast<std::uint8_t>(axis), static_cast<std::uint8_t>(table), static_cast<std::uint8_t>(c)});
     if (c == kEscapeClass) {
       write_bits(magnitude, 32);
     } else {
-      const MagnitudeClass& magnitude_class = kClasses[static_cast<std::size_t>(c)];
+      const MagnitudeClass& magnitude_class = kClasses[c];
       write_bits(magnitude - (std::uint32_t{magnitude_class.first} << shift), magnitude_class.bits + shift);
     }
     if (magnitude != 0) write_bits(residuals[axis] < 0, 1);
@@ -109,15 +157,14 @@ std::vector<std::byte> ResidualWriter::finish() const {
   std::array<std::uint32_t, 3> states{1u << 16, 1u << 16, 1u << 16};
   std::vector<std::uint16_t> words;
   for (std::size_t i = symbols_.size(); i-- > 0;) {
-    const auto [axis, table_index, c] = symbols_[i];
-    const ResidualStatistics::Table& table = statistics_.table(table_index);
-    const std::uint32_t frequency = table.frequency[c];
+    const auto [axis, table, c] = symbols_[i];
+    const auto [frequency, start, count] = statistics_.share(table, c);
     std::uint32_t& state = states[axis];
     if (state >= std::uint64_t{frequency} << (32 - kFrequencyBits)) {
       words.push_back(static_cast<std::uint16_t>(state));
       state >>= 16;
     }
-    state = (state / frequency << kFrequencyBits) + state % frequency + table.start[c];
+    state = (state / frequency << kFrequencyBits) + state % frequency + start;
   }
   std::vector<std::byte> bytes;
   for (const std::uint32_t state : states) append_little_endian(bytes, state);

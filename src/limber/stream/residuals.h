@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -21,10 +22,10 @@
 
 namespace limber {
 
-inline constexpr int kContextCount = 16;
-inline constexpr int kClassCount = 27;
-inline constexpr int kEscapeClass = kClassCount - 1;
-inline constexpr unsigned kFrequencyBits = 12;
+inline constexpr unsigned kContextCount = 16;
+inline constexpr unsigned kClassCount = 27;
+inline constexpr unsigned kEscapeClass = kClassCount - 1;
+inline constexpr unsigned kFrequencyBits = 11;
 
 // A class holds the magnitudes first ... first + 2^bits - 1 (after the shift of the context).
 struct MagnitudeClass {
@@ -38,11 +39,11 @@ inline constexpr std::array<MagnitudeClass, kClassCount> kClasses{
      {32, 4}, {48, 4}, {64, 6}, {128, 7}, {256, 8}, {512, 9}, {1024, 10}, {2048, 11}, {4096, 32}}};
 
 // The class of a shifted magnitude.
-constexpr int class_of(std::uint32_t magnitude) {
-  if (magnitude < 16) return static_cast<int>(magnitude);
-  const int octave = static_cast<int>(std::bit_width(magnitude)) - 1;
+constexpr unsigned class_of(std::uint32_t magnitude) {
+  if (magnitude < 16) return magnitude;
+  const auto octave = static_cast<unsigned>(std::bit_width(magnitude)) - 1;
   if (octave >= 12) return kEscapeClass;
-  if (octave < 6) return 16 + 2 * (octave - 4) + static_cast<int>((magnitude >> (octave - 1)) & 1);
+  if (octave < 6) return 16 + 2 * (octave - 4) + ((magnitude >> (octave - 1)) & 1);
   return 14 + octave;
 }
 
@@ -51,17 +52,23 @@ using Activity = std::array<std::uint32_t, 3>;
 
 // What the surroundings of a residual suggest: a table, and how many low bits of the magnitude are plain.
 struct ResidualContext {
-  int table;
+  unsigned table;
   unsigned shift;
 };
 
-// Precondition: activity < 2^31.
-inline ResidualContext residual_context(std::uint32_t activity) {
-  const std::uint32_t u = activity + 1;
-  const int octave = static_cast<int>(std::bit_width(u)) - 1;
-  const int level = octave == 0 ? 0 : 2 * octave + static_cast<int>((u >> (octave - 1)) & 1);
-  return {level < kContextCount ? level : kContextCount - 2 + (level & 1),
-          level < 12 ? 0u : static_cast<unsigned>(level - 10) / 2};
+// No activity is as large: no class has more than 32 plain bits.
+inline constexpr std::uint32_t kActivityEnd = 1 << 26;
+
+// Below this nothing is shifted.
+inline constexpr std::uint32_t kShiftedActivity = 63;
+
+// Precondition: activity < kActivityEnd.
+constexpr ResidualContext residual_context(std::uint32_t activity) {
+  assert(activity < kActivityEnd);
+  const std::uint32_t u = 2 * (activity + 1);
+  const unsigned octave = static_cast<unsigned>(std::bit_width(u)) - 1;
+  const unsigned level = 2 * octave - 4 + (u >> (octave - 1));  // the upper two bits are 2 or 3
+  return {std::min(level, kContextCount - 2 + (level & 1)), (std::max(level, 11u) - 10) / 2};
 }
 
 // Larger residuals count as this where the next are expected: sums stay within 21 bits.
@@ -86,66 +93,32 @@ inline std::uint32_t quadruple_mean(std::uint64_t sum, std::size_t weight) {
 // The frequencies of the classes in each context, and how often each was met lately.
 class ResidualStatistics {
  public:
+  // What a class has of the 2^kFrequencyBits slots of its table: `frequency` from `start` on.
+  struct Share {
+    std::uint16_t frequency;
+    std::uint16_t start;
+    std::uint32_t count;  // how often it was met lately
+  };
+
   ResidualStatistics() { reset(); }
 
   // What is assumed at a key frame.
   void reset();
 
-  void count(int table, int magnitude_class) {
-    ++counts_[static_cast<std::size_t>(table)][static_cast<std::size_t>(magnitude_class)];
-  }
-
   // Frequencies from counts: after a frame.
   void update();
 
-  struct Table {
-    std::array<std::uint16_t, kClassCount> frequency;
-    std::array<std::uint16_t, kClassCount> start;
-    std::array<std::uint8_t, 1 << kFrequencyBits> class_at;
-  };
-  const Table& table(int i) const { return tables_[static_cast<std::size_t>(i)]; }
+  // Preconditions: table < kContextCount, magnitude_class < kClassCount, slot < 2^kFrequencyBits.
+  Share& share(unsigned table, std::size_t magnitude_class) { return shares_[table][magnitude_class]; }
+  const Share& share(unsigned table, std::size_t magnitude_class) const { return shares_[table][magnitude_class]; }
+  std::uint8_t class_at(unsigned table, std::uint32_t slot) const { return class_at_[table][slot]; }
 
  private:
-  std::array<std::array<std::uint32_t, kClassCount>, kContextCount> counts_;
-  std::array<Table, kContextCount> tables_;
-};
+  static constexpr std::size_t kRowSize = std::bit_ceil(std::size_t{kClassCount});
 
-// Plain bits, lowest first; past the end there are zeros.
-class BitReader {
- public:
-  explicit BitReader(std::span<const std::byte> bytes) : at_(bytes.data()), end_(at_ + bytes.size()) {}
-
-  // Makes at least 56 bits ready.
-  void fill() {
-    if (end_ - at_ >= 8) {
-      bits_ |= load_little_endian<std::uint64_t>(at_) << filled_;
-      at_ += (63 - filled_) >> 3;
-      filled_ |= 56;
-      return;
-    }
-    for (; filled_ < 56; filled_ += 8)
-      if (at_ != end_) bits_ |= std::uint64_t{std::to_integer<std::uint8_t>(*at_++)} << filled_;
-  }
-
-  // Precondition: the bits are ready.
-  std::uint32_t peek() const { return static_cast<std::uint32_t>(bits_); }
-  void skip(unsigned count) {
-    bits_ >>= count;
-    filled_ -= count;
-  }
-
-  // `count` <= 32. Precondition: the bits are ready.
-  std::uint32_t read(unsigned count) {
-    const auto value = static_cast<std::uint32_t>(bits_ & ((std::uint64_t{1} << count) - 1));
-    skip(count);
-    return value;
-  }
-
- private:
-  const std::byte* at_;
-  const std::byte* end_;
-  std::uint64_t bits_ = 0;
-  unsigned filled_ = 0;
+  std::array<std::array<Share, kRowSize>, kContextCount> shares_{};
+  std::array<std::uint32_t, kContextCount> totals_{};  // sums of the counts that the shares were made of
+  std::array<std::array<std::uint8_t, 1 << kFrequencyBits>, kContextCount> class_at_;
 };
 
 class ResidualReader {
@@ -154,62 +127,99 @@ class ResidualReader {
 
   ResidualReader(std::span<const std::byte> bytes, ResidualStatistics& statistics);
 
-  // Gives the residuals on the three axes; `activity`: what to expect on each (residual_context()).
-  Lattice code(const Activity& activity, const Lattice& = {}) {
-    // In local variables: else the counts that are written might be taken for them.
-    Cursor cursor = cursor_;
-    const std::int32_t x = code_axis(activity[0], cursor.states[0], cursor);
-    const std::int32_t y = code_axis(activity[1], cursor.states[1], cursor);
-    const std::int32_t z = code_axis(activity[2], cursor.states[2], cursor);
-    cursor_ = cursor;
-    return {x, y, z};
+  // Gives the residuals on the three axes; `activity`: what to expect on each (residual_context()). Axes go side by
+  // side, so that a processor overlaps them. No branch but the rare one for an escape depends on what is read.
+  [[gnu::always_inline]] Lattice code(const Activity& activity, const Lattice& = {}) {
+    if ((activity[0] | activity[1] | activity[2]) >= kShiftedActivity) return code_shifted(activity);
+    std::array<unsigned, 3> tables;
+    for (std::size_t k = 0; k < 3; ++k) tables[k] = kSmallTables[activity[k]];
+    const std::array<std::size_t, 3> classes = read_classes(tables);
+    // Where a class ends among the bits follows from the classes alone.
+    const PlainPart &x = kPlainParts[classes[0]], &y = kPlainParts[classes[1]], &z = kPlainParts[classes[2]];
+    const std::uint32_t length = x.length + y.length + z.length;
+    if (length >= kEscapeLength) [[unlikely]]
+      return read_one_by_one(classes, {});
+    const std::uint64_t bits = eight_bytes(plain_, bit_at_ >> 3) >> (bit_at_ & 7);
+    bit_at_ += length;
+    return {residual(x, bits), residual(y, bits >> x.length), residual(z, bits >> (x.length + y.length))};
   }
 
   // Whether all was as an encoder writes it. Call after the last residual.
   bool consistent() const {
-    return cursor_.word_at == word_count_ &&
-           cursor_.states == std::array<std::uint32_t, 3>{1u << 16, 1u << 16, 1u << 16};
+    return word_at_ == word_count_ && states_ == std::array<std::uint32_t, 3>{1u << 16, 1u << 16, 1u << 16};
   }
 
  private:
-  struct Cursor {
-    std::array<std::uint32_t, 3> states{};
-    std::size_t word_at = 0;
-    BitReader bits{{}};
-  };
+  // Of eight bytes that begin at any bit so many are whole.
+  static constexpr unsigned kWholeBits = 57;
+  static constexpr std::uint16_t kEscapeLength = 64;
 
-  // No branch but the one for the escape depends on the residual: it could not be foretold.
-  [[gnu::always_inline]] std::int32_t code_axis(std::uint32_t activity, std::uint32_t& state, Cursor& cursor) {
-    const auto [table_index, shift] = residual_context(activity);
-    const ResidualStatistics::Table& table = statistics_.table(table_index);
-    const std::uint32_t slot = state & ((1u << kFrequencyBits) - 1);
-    const std::uint8_t c = table.class_at[slot];
-    const std::uint32_t wide = table.frequency[c] * (state >> kFrequencyBits) + slot - table.start[c];
-    const bool needs_word = wide < (1u << 16);
-    const std::uint32_t word =
-        cursor.word_at < word_count_ ? load_little_endian<std::uint16_t>(words_ + 2 * cursor.word_at) : 0u;
-    state = needs_word ? wide << 16 | word : wide;
-    cursor.word_at += needs_word;
-    statistics_.count(table_index, c);
-    cursor.bits.fill();
-    std::uint32_t magnitude;
-    if (c == kEscapeClass) [[unlikely]] {
-      magnitude = cursor.bits.read(32);
-    } else {
-      const MagnitudeClass magnitude_class = kClasses[c];
-      const unsigned plain = std::min(magnitude_class.bits + shift, 32u);  // more only in bytes of no encoder
-      magnitude = (std::uint32_t{magnitude_class.first} << shift) + cursor.bits.read(plain);
-    }
-    const std::uint32_t has_sign = magnitude != 0;
-    const std::uint32_t negative = 0u - (cursor.bits.peek() & has_sign);
-    cursor.bits.skip(has_sign);
+  // What follows a class that is not shifted: plain bits and, unless the magnitude is 0, a sign.
+  struct PlainPart {
+    std::uint16_t first, mask, bits, length;
+  };
+  static constexpr auto kPlainParts = [] {
+    std::array<PlainPart, kClassCount> parts{};
+    for (std::size_t c = 0; c < kEscapeClass; ++c)
+      parts[c] = {kClasses[c].first, static_cast<std::uint16_t>((1u << kClasses[c].bits) - 1), kClasses[c].bits,
+                  static_cast<std::uint16_t>(kClasses[c].bits + (c != 0))};
+    parts[kEscapeClass].length = kEscapeLength;
+    return parts;
+  }();
+  static_assert(3 * (kClasses[kEscapeClass - 1].bits + 1) <= kWholeBits);
+
+  static constexpr auto kSmallTables = [] {
+    std::array<std::uint8_t, kShiftedActivity> tables{};
+    for (std::uint32_t activity = 0; activity < kShiftedActivity; ++activity)
+      tables[activity] = static_cast<std::uint8_t>(residual_context(activity).table);
+    return tables;
+  }();
+
+  // Precondition: `bits` begin with the part. The sign of a 0, a bit of whatever follows, changes nothing.
+  static std::int32_t residual(const PlainPart& part, std::uint64_t bits) {
+    const std::uint32_t magnitude = part.first + (static_cast<std::uint32_t>(bits) & part.mask);
+    const std::uint32_t negative = 0u - (static_cast<std::uint32_t>(bits >> part.bits) & 1);
     return static_cast<std::int32_t>((magnitude ^ negative) - negative);
   }
 
+  // The classes in the three tables. States and counts go on.
+  [[gnu::always_inline]] std::array<std::size_t, 3> read_classes(const std::array<unsigned, 3>& tables) {
+    std::array<std::size_t, 3> classes;
+    std::array<std::uint32_t, 3> wide;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t slot = states_[k] & ((1u << kFrequencyBits) - 1);
+      classes[k] = statistics_.class_at(tables[k], slot);
+      ResidualStatistics::Share& share = statistics_.share(tables[k], classes[k]);
+      wide[k] = share.frequency * (states_[k] >> kFrequencyBits) + slot - share.start;
+      ++share.count;
+    }
+    std::uint64_t words = eight_bytes(words_, 2 * word_at_);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t needs_word = wide[k] < (1u << 16);
+      states_[k] = wide[k] << (16 * needs_word) | (static_cast<std::uint16_t>(words) & (0u - needs_word));
+      words >>= 16 * needs_word;
+      word_at_ += needs_word;
+    }
+    return classes;
+  }
+
+  Lattice code_shifted(const Activity& activity);
+  Lattice read_one_by_one(const std::array<std::size_t, 3>& classes, const std::array<unsigned, 3>& shifts);
+
+  // Those from `at` on; past the end there are zeros.
+  static std::uint64_t eight_bytes(std::span<const std::byte> bytes, std::uint64_t at) {
+    if (at + 8 <= bytes.size()) [[likely]]
+      return load_little_endian<std::uint64_t>(bytes.data() + at);
+    return last_bytes(bytes, at);
+  }
+  static std::uint64_t last_bytes(std::span<const std::byte> bytes, std::uint64_t at);
+
   ResidualStatistics& statistics_;
-  Cursor cursor_;
-  const std::byte* words_ = nullptr;
-  std::size_t word_count_ = 0;
+  std::array<std::uint32_t, 3> states_{};
+  std::span<const std::byte> words_;  // and the plain bits after them: where words are missing consistent() says so
+  std::span<const std::byte> plain_;
+  std::uint64_t word_at_ = 0, word_count_ = 0;
+  std::uint64_t bit_at_ = 0;
 };
 
 // Numeral systems are last in, first out: classes are kept and coded backwards at the end.
