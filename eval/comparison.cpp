@@ -37,12 +37,13 @@ Comparison::Comparison(std::span<const MethodInfo* const> methods, const MethodO
   }
 }
 
-void Comparison::begin(const Mesh& mesh, std::span<const std::span<const Vec3f>> base_frames) {
+void Comparison::begin(const Mesh& mesh, const SeenFrames& seen) {
   mesh_ = &mesh;
   quadric_error_.emplace(mesh, options_.contract.quadrics);
   for (Contender& contender : contenders_) {
+    const auto frames = seen.of(*contender.info);
     const ThreadTimer timer;
-    contender.method->begin(mesh, base_frames);
+    contender.method->begin(mesh, frames);
     contender.begin_seconds = timer.seconds();
   }
 }

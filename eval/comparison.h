@@ -13,6 +13,7 @@
 #include "eval/clip_measure.h"
 #include "eval/methods/method.h"
 #include "eval/methods/quadric_error.h"
+#include "eval/methods/seen_frames.h"
 #include "limber/base/result.h"
 
 namespace limber::eval {
@@ -49,8 +50,8 @@ class Comparison {
   Comparison(std::span<const MethodInfo* const> methods, const MethodOptions& options,
              const ClipMeasureOptions& measure);
 
-  // As Method::begin().
-  void begin(const Mesh& mesh, std::span<const std::span<const Vec3f>> base_frames);
+  // As Method::begin(). `seen` was read for these methods.
+  void begin(const Mesh& mesh, const SeenFrames& seen);
 
   // Runs every method on the next frame, one after the other on this thread so that times can be compared, and measures
   // the results on all threads. Error kBadInput: the frame has no extent, or nothing is left of it at this size.

@@ -4,7 +4,6 @@
 #include "eval/comparison.h"
 #include "eval/parallel_for.h"
 #include "limber/clip/mesh_sequence_writer.h"
-#include "limber/stream/base_frames.h"
 #include "tool/clip_argument.h"
 #include "tool/method_argument.h"
 #include "tool/output_argument.h"
@@ -35,10 +34,8 @@ Size size_of(const eval::Approximation& made) {
 struct Work {
   std::unique_ptr<ClipReader> clip;
   eval::MethodOptions options;
-  BaseFrames base;
+  eval::SeenFrames seen;
   std::optional<MeshSequenceWriter> writer;
-
-  std::vector<std::span<const Vec3f>> base_frames() const { return {base.positions.begin(), base.positions.end()}; }
 
   Result<void> write(const eval::Approximation& made) {
     if (!writer) return {};
@@ -46,7 +43,8 @@ struct Work {
   }
 };
 
-Result<Work> begin(const Arguments& arguments, bool needs_base_frames, Progress& progress, Console& console) {
+Result<Work> begin(const Arguments& arguments, std::span<const eval::MethodInfo* const> methods, Progress& progress,
+                   Console& console) {
   Work work;
   auto clip = open_any_clip(arguments.clip);
   if (!clip) return clip.error();
@@ -62,11 +60,11 @@ Result<Work> begin(const Arguments& arguments, bool needs_base_frames, Progress&
     work.writer.emplace(std::move(*writer));
   }
   progress.start("reading", work.clip->frame_count());
-  Result<BaseFrames> base = choose_base_frames(*work.clip, needs_base_frames ? arguments.method.base_frames : 1,
-                                               [&](std::uint32_t frames_read) { return progress.update(frames_read); });
-  if (!base) return base.error();
-  work.base = std::move(*base);
-  if (Result<void> back = work.clip->rewind(); !back) return back.error();
+  Result<eval::SeenFrames> seen =
+      eval::SeenFrames::read(*work.clip, methods, arguments.method.base_frames,
+                             [&](std::uint32_t frames_read) { return progress.update(frames_read); });
+  if (!seen) return seen.error();
+  work.seen = std::move(*seen);
   progress.start("simplifying", work.clip->frame_count());
   return work;
 }
@@ -81,9 +79,10 @@ Result<std::vector<Size>> simplify_clip(Work& work, const eval::MethodInfo& info
   };
   const Mesh& mesh = work.clip->mesh();
   std::vector<Lane> lanes(info.frames_are_independent ? threads : 1);
+  const auto seen = work.seen.of(info);
   for (Lane& lane : lanes) {
     lane.method = info.create(work.options);
-    lane.method->begin(mesh, work.base_frames());
+    lane.method->begin(mesh, seen);
     lane.positions.resize(mesh.vertex_count);
   }
   std::vector<Size> sizes;
@@ -110,7 +109,7 @@ Result<eval::Comparison> compare_methods(Work& work, std::span<const eval::Metho
   const Mesh& mesh = work.clip->mesh();
   eval::Comparison comparison(methods, work.options,
                               {.distance = distance, .first_frame_number = work.clip->first_frame_number()});
-  comparison.begin(mesh, work.base_frames());
+  comparison.begin(mesh, work.seen);
   std::vector<Vec3f> positions(mesh.vertex_count);
   for (std::uint64_t done = 0;;) {
     const Result<bool> more = work.clip->read(positions);
@@ -188,9 +187,7 @@ Result<Exit> simplify_verb(const Arguments& arguments, Console& console) {
   if (methods.size() > 1 && writes) throw UsageError("-o takes one method's result; give one --method");
 
   Progress progress(console, "reading");
-  const bool needs_base_frames =
-      std::ranges::any_of(methods, [](const eval::MethodInfo* info) { return info->uses_base_frames; });
-  Result<Work> work = begin(arguments, needs_base_frames, progress, console);
+  Result<Work> work = begin(arguments, methods, progress, console);
   if (!work) return work.error();
   if (arguments.measure) {
     const Result<eval::Comparison> comparison = compare_methods(*work, methods, arguments.distance, progress);

@@ -15,12 +15,12 @@ class FirstFrame final : public Method {
  public:
   explicit FirstFrame(const MethodOptions& options) : options_(options) {}
 
-  void begin(const Mesh& mesh, std::span<const std::span<const Vec3f>> base_frames) override {
+  void begin(const Mesh& mesh, std::span<const std::span<const Vec3f>> seen) override {
     mesh_ = &mesh;
-    Contractor contractor(mesh, base_frames.first(1), options_.contract);
+    Contractor contractor(mesh, seen.first(1), options_.contract);
     contract_to_size(contractor, mesh, options_);
     simplified_ = simplified_mesh(contractor, mesh, 0);
-    scale_ = normalization(base_frames[0]).scale;
+    scale_ = normalization(seen[0]).scale;
 
     std::vector<Index> vertex_of(mesh.vertex_count, kNone);
     for (Index i = 0; i < simplified_.vertices.size(); ++i) vertex_of[simplified_.vertices[i]] = i;

@@ -45,20 +45,27 @@ class Method {
  public:
   virtual ~Method() = default;
 
-  // Called once, before frame(). base_frames: at least one, the first of them the first frame of the clip; each
-  // [mesh.vertex_count], finite. Only the multilevel method looks at more than the first.
-  // The mesh must outlive the method, the frames need not.
-  virtual void begin(const Mesh& mesh, std::span<const std::span<const Vec3f>> base_frames) = 0;
+  // Called once, before frame(). `seen`: what the method's MethodInfo::sees says, at least one frame, the first of them
+  // the first frame of the clip; each [mesh.vertex_count], finite. The mesh must outlive the method, the frames need
+  // not.
+  virtual void begin(const Mesh& mesh, std::span<const std::span<const Vec3f>> seen) = 0;
 
   // The next frame, the first of the clip being the first: [vertex_count], finite.
   virtual void frame(std::span<const Vec3f> positions, Approximation& out) = 0;
+};
+
+// Which frames of the clip a method looks at before it begins (seen_frames.h).
+enum class Sees {
+  kFirst,  // the first alone
+  kBase,   // as many as a hierarchy is made for, spread evenly
+  kMany,   // all, or as many as a bounded memory holds, spread evenly
 };
 
 struct MethodInfo {
   std::string_view name;
   std::string_view description;  // one line
   bool frames_are_independent;   // a frame depends on its positions alone: any may be made without the others
-  bool uses_base_frames;         // looks at more frames than the first before it begins
+  Sees sees;
   std::unique_ptr<Method> (*create)(const MethodOptions&);
 };
 

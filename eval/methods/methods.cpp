@@ -8,10 +8,11 @@ namespace limber::eval {
 namespace {
 
 constexpr MethodInfo kMethods[] = {
-    {"direct", "every frame by itself, by edge contraction (QSlim)", true, false, make_direct},
-    {"improved", "as direct, its clusters then improved by swaps on the same frame", true, false, make_improved},
-    {"first-frame", "the clusters of the first frame, placed anew in every frame", false, false, make_first_frame},
-    {"multilevel", "a hierarchy that follows the clip by swaps, cut at the size asked for", false, true,
+    {"direct", "every frame by itself, by edge contraction (QSlim)", true, Sees::kFirst, make_direct},
+    {"improved", "as direct, its clusters then improved by swaps on the same frame", true, Sees::kFirst, make_improved},
+    {"first-frame", "the clusters of the first frame, placed anew in every frame", false, Sees::kFirst,
+     make_first_frame},
+    {"multilevel", "a hierarchy that follows the clip by swaps, cut at the size asked for", false, Sees::kBase,
      make_multilevel},
 };
 

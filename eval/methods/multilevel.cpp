@@ -33,7 +33,7 @@ class Multilevel final : public Method {
  public:
   explicit Multilevel(const MethodOptions& options) : options_(options) {}
 
-  void begin(const Mesh& mesh, std::span<const std::span<const Vec3f>> base_frames) override {
+  void begin(const Mesh& mesh, std::span<const std::span<const Vec3f>> seen) override {
     BuildOptions build{
         .branching = options_.branching, .level_sizes = options_.level_sizes, .contract = options_.contract};
     if (build.level_sizes.empty() && options_.vertices > 0) {
@@ -46,7 +46,7 @@ class Multilevel final : public Method {
                                      .threshold = options_.threshold};
     const CutOptions cut = options_.vertices > 0 ? CutOptions{.by = CutBy::kVertices, .budget = options_.vertices}
                                                  : CutOptions{.by = CutBy::kTriangles, .budget = options_.triangles};
-    follower_.emplace(mesh, build_hierarchy(mesh, base_frames, build), recluster, cut);
+    follower_.emplace(mesh, build_hierarchy(mesh, seen, build), recluster, cut);
   }
 
   void frame(std::span<const Vec3f> positions, Approximation& out) override { follower_->frame(positions, out); }

@@ -11,13 +11,12 @@ namespace {
 
 const ClipMeasureOptions kFew{.distance = {.samples = {.per_triangle = 0, .at_least = 2000}}, .first_frame_number = 5};
 
-Result<void> compare(Comparison& comparison, Mesh& mesh) {
+Result<void> compare(Comparison& comparison, std::span<const MethodInfo* const> methods, Mesh& mesh) {
   const auto reader = open_clip("sample:gallop?vertices=400&frames=3", {});
   mesh = (*reader)->mesh();
+  comparison.begin(mesh, *SeenFrames::read(**reader, methods, 2, [](std::uint32_t) { return true; }));
   std::vector<Vec3f> positions(mesh.vertex_count);
-  for (bool first = true; *(*reader)->read(positions); first = false) {
-    const std::span<const Vec3f> base[] = {positions};
-    if (first) comparison.begin(mesh, base);
+  while (*(*reader)->read(positions)) {
     if (Result<void> added = comparison.add(positions); !added) return added;
   }
   return {};
@@ -27,7 +26,7 @@ TEST(Comparison, HoldsEveryMethodAgainstTheFirst) {
   const MethodInfo* const methods[] = {find_method("direct"), find_method("first-frame")};
   Comparison comparison(methods, {.vertices = 60}, kFew);
   Mesh mesh;
-  ASSERT_TRUE(compare(comparison, mesh));
+  ASSERT_TRUE(compare(comparison, methods, mesh));
   const Relative self = comparison.relative(0), other = comparison.relative(1);
   EXPECT_EQ(self.rms_by_mean, 1);
   EXPECT_EQ(self.rms_worst, 1);
@@ -52,7 +51,7 @@ TEST(Comparison, AMethodThatLeavesNothingIsAnError) {
   options.contract.topology = Topology::kFree;
   Comparison comparison(methods, options, kFew);
   Mesh mesh;
-  const Result<void> compared = compare(comparison, mesh);
+  const Result<void> compared = compare(comparison, methods, mesh);
   ASSERT_FALSE(compared);
   EXPECT_EQ(compared.error().code, ErrorCode::kBadInput);
   EXPECT_EQ(compared.error().where, "frame 5");

@@ -51,7 +51,9 @@ std::function<Vec3d(const Vec3d&)> rotation(double degrees) {
   return [=](const Vec3d& p) { return Vec3d{c * p.x - s * p.y + 500, s * p.x + c * p.y - 900, p.z + 40}; };
 }
 
-void expect_near(const Vec3d& a, const Vec3d& b, double distance) { EXPECT_LE(length(a - b), distance) << a.x << " " << a.y << " " << a.z; }
+void expect_near(const Vec3d& a, const Vec3d& b, double distance) {
+  EXPECT_LE(length(a - b), distance) << a.x << " " << a.y << " " << a.z;
+}
 
 TEST(Turns, FindsARotationOfALargeCluster) {
   for (const double degrees : {-40.0, -5.0, 0.0, 12.0, 70.0}) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far a node may stand from the minimum of its quadric before anybody notices: what an encoder may use to save bits.
+// How far a node may stand from the minimum of its quadric before anybody notices: what an encoder may use to save
+// bits.
 #pragma once
 
 #include "limber/base/quadric.h"

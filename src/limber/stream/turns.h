@@ -38,7 +38,7 @@ class Turns {
 
  private:
   struct Moments {
-    Vec3d before, now, twist;                              // sums of a, of b, and of a x b, about the origin
+    Vec3d before, now, twist;                               // sums of a, of b, and of a x b, about the origin
     double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;  // of a a'
     double count = 0;
 

@@ -19,7 +19,6 @@ namespace limber {
 
 namespace {
 
-
 // Adds to the area of each node that of its surface; a third of each triangle goes to each corner.
 void measure_areas(const Mesh& mesh, const FrameState& state, std::span<double> area) {
   std::fill(area.begin(), area.end(), 0.0);
