@@ -36,7 +36,8 @@ std::vector<std::span<const Vec3f>> SeenFrames::of(const MethodInfo& method) con
 std::uint32_t many_frames(Index vertex_count) {
   constexpr std::uint64_t kMemory = std::uint64_t{1} << 28;
   const std::uint64_t per_frame = std::uint64_t{vertex_count} * (sizeof(Quadric) + 2 * sizeof(Vec3f));
-  return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(kMemory / std::max<std::uint64_t>(1, per_frame), 2, 1024));
+  return static_cast<std::uint32_t>(
+      std::clamp<std::uint64_t>(kMemory / std::max<std::uint64_t>(1, per_frame), 2, 1024));
 }
 
 }  // namespace limber::eval

@@ -11,7 +11,6 @@
 // where it was.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -62,7 +61,11 @@ class CoarserPositions {
 
 inline Lattice64 CoarserPositions::turned(Index i, const Lattice64& offset) const {
   const auto [x, y, z] = turns_.turned(i, {double(offset[0]), double(offset[1]), double(offset[2])});
-  const auto nearest = [](double a) { return static_cast<std::int64_t>(std::floor(a + 0.5)); };
+  // floor(a + 0.5), without a call.
+  const auto nearest = [](double a) {
+    const auto truncated = static_cast<std::int64_t>(a + 0.5);
+    return truncated - (static_cast<double>(truncated) > a + 0.5);
+  };
   return {nearest(x), nearest(y), nearest(z)};
 }
 

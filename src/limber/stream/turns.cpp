@@ -9,27 +9,34 @@ namespace {
 
 constexpr double kLeastCount = 3;
 
-Vec3d vector(const Lattice& at) { return {double(at[0]), double(at[1]), double(at[2])}; }
+// Where in the moments.
+enum : std::size_t { kBefore = 0, kNow = 3, kTwist = 6, kSquares = 9, kCount = 15 };
+
+template <std::size_t kSize>
+Vec3d vector(const std::array<double, kSize>& from, std::size_t at) {
+  return {from[at], from[at + 1], from[at + 2]};
+}
+
+template <std::size_t kSize>
+void add(std::array<double, kSize>& to, const std::array<double, kSize>& more) {
+  for (std::size_t i = 0; i < kSize; ++i) to[i] += more[i];
+}
 
 }  // namespace
 
 Turns::Turns(std::span<const Index> level_begin)
     : level_begin_(level_begin), moments_(level_begin.back() - level_begin[1]), turns_(moments_.size()) {}
 
-void Turns::Moments::add(const Moments& other) {
-  before += other.before, now += other.now, twist += other.twist;
-  xx += other.xx, xy += other.xy, xz += other.xz, yy += other.yy, yz += other.yz, zz += other.zz;
-  count += other.count;
-}
-
 // A little of the trace is added to the diagonal, for clusters on a line, and a lattice step for every vertex: what is
 // smaller than the rounding of the positions says nothing.
 Turns::Turn Turns::turn(const Moments& m) {
-  const Vec3d mean = m.before * (1.0 / m.count);
-  const double xx = m.xx - m.before.x * mean.x, yy = m.yy - m.before.y * mean.y, zz = m.zz - m.before.z * mean.z;
-  const double xy = m.xy - m.before.x * mean.y, xz = m.xz - m.before.x * mean.z, yz = m.yz - m.before.y * mean.z;
-  const Vec3d twist = m.twist - cross(mean, m.now);
-  const double ridge = 0.01 * (xx + yy + zz) + m.count;
+  const Vec3d before = vector(m, kBefore), now = vector(m, kNow);
+  const Vec3d mean = before * (1.0 / m[kCount]);
+  const double xx = m[kSquares] - before.x * mean.x, yy = m[kSquares + 3] - before.y * mean.y;
+  const double zz = m[kSquares + 5] - before.z * mean.z, xy = m[kSquares + 1] - before.x * mean.y;
+  const double xz = m[kSquares + 2] - before.x * mean.z, yz = m[kSquares + 4] - before.y * mean.z;
+  const Vec3d twist = vector(m, kTwist) - cross(mean, now);
+  const double ridge = 0.01 * (xx + yy + zz) + m[kCount];
   // The system: a symmetric matrix with p, q, r on its diagonal and -xy, -xz, -yz beside it; solved by its adjugate.
   const double p = yy + zz + ridge, q = xx + zz + ridge, r = xx + yy + ridge;
   const double axx = q * r - yz * yz, axy = xy * r + xz * yz, axz = xy * yz + xz * q;
@@ -50,16 +57,18 @@ void Turns::measure(std::span<const Index> parent, const Traversal& traversal, s
   const Index vertex_count = level_begin_[1];
   std::fill(moments_.begin(), moments_.end(), Moments{});
   for (Index place = 0; place < vertex_count; ++place) {
-    const Vec3d a = vector(before[place]), b = vector(now[place]);
-    moments_[parent[traversal.order[place]] - vertex_count].add(
-        {a, b, cross(a, b), a.x * a.x, a.x * a.y, a.x * a.z, a.y * a.y, a.y * a.z, a.z * a.z, 1.0});
+    const Vec3d a(before[place][0], before[place][1], before[place][2]);
+    const Vec3d b(now[place][0], now[place][1], now[place][2]), c = cross(a, b);
+    add(moments_[parent[traversal.order[place]] - vertex_count],
+        {a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, a.x * a.x, a.x * a.y, a.x * a.z, a.y * a.y, a.y * a.z, a.z * a.z,
+         1.0});
   }
   const auto parent_of = [&](Index i) { return parent[vertex_count + i]; };
   const auto count = static_cast<Index>(moments_.size());
   for (Index i = 0; i < count; ++i)
-    if (parent_of(i) != kNone) moments_[parent_of(i) - vertex_count].add(moments_[i]);
+    if (parent_of(i) != kNone) add(moments_[parent_of(i) - vertex_count], moments_[i]);
   for (Index i = count; i-- > 0;) {
-    if (moments_[i].count >= kLeastCount) {
+    if (moments_[i][kCount] >= kLeastCount) {
       turns_[i] = turn(moments_[i]);
     } else {
       turns_[i] = parent_of(i) == kNone ? Turn{} : turns_[parent_of(i) - vertex_count];

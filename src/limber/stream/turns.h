@@ -11,6 +11,7 @@
 // In doubles, with sums, products, quotients and square roots only, in the order of the nodes: the same everywhere.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -37,13 +38,9 @@ class Turns {
   }
 
  private:
-  struct Moments {
-    Vec3d before, now, twist;                               // sums of a, of b, and of a x b, about the origin
-    double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;  // of a a'
-    double count = 0;
+  // Sums of a, of b, of a x b, of a a' (xx xy xz yy yz zz), and of 1, about the origin. An array: added in one sweep.
+  using Moments = std::array<double, 16>;
 
-    void add(const Moments& other);
-  };
   // Rodrigues' formula: `half` is the axis times the tangent of half the angle, factor = 2 / (1 + |half|^2).
   struct Turn {
     Vec3d half;
