@@ -62,15 +62,16 @@ class ClipMeshes final : public MeshSource {
 
 class StreamMeshes final : public MeshSource {
  public:
-  StreamMeshes(std::unique_ptr<StreamLevels> levels, std::uint32_t first, std::uint32_t end)
-      : levels_(std::move(levels)), first_(first), next_(first), end_(end) {}
+  StreamMeshes(std::unique_ptr<StreamLevels> levels, std::uint32_t first, std::uint32_t end, std::uint32_t step)
+      : levels_(std::move(levels)), first_(first), end_(end), step_(step), next_(first) {}
 
-  std::optional<std::uint32_t> frame_count() const override { return end_ - first_; }
+  std::optional<std::uint32_t> frame_count() const override { return (end_ - first_ + step_ - 1) / step_; }
   std::uint32_t first_frame_number() const override { return levels_->first_frame_number() + first_; }
 
   Result<bool> read(SourceMesh& mesh) override {
-    if (next_ == end_) return false;
-    if (const Result<void> there = levels_->go_to(next_++); !there) return there.error();
+    if (next_ >= end_) return false;
+    if (const Result<void> there = levels_->go_to(static_cast<std::uint32_t>(next_)); !there) return there.error();
+    next_ += step_;
     const MeshBuffers& buffers = levels_->buffers();
     mesh.positions = buffers.positions;
     mesh.nodes = buffers.nodes;
@@ -83,7 +84,8 @@ class StreamMeshes final : public MeshSource {
 
  private:
   std::unique_ptr<StreamLevels> levels_;
-  std::uint32_t first_, next_, end_;  // frames, counted from 0
+  std::uint32_t first_, end_, step_;  // frames, counted from 0
+  std::uint64_t next_;
 };
 
 // The mesh files that the specification names; nothing where it is for open_clip() to say what it is.
@@ -94,7 +96,7 @@ std::optional<Result<FrameFiles>> find_files(std::string_view specification, con
   if (fs::is_directory(status)) {
     // A folder with a single mesh may be that of a point cache.
     Result<FrameFiles> files = frames_of_folder(path, options);
-    if (files && files->paths.size() == 1 && !options.first && !options.last) return std::nullopt;
+    if (files && files->paths.size() == 1 && !options.first && !options.last && options.step == 1) return std::nullopt;
     if (!files && files.error().code == ErrorCode::kNotFound) return std::nullopt;
     return files;
   }
@@ -135,7 +137,7 @@ Result<std::unique_ptr<MeshSource>> open_stream_meshes(std::string_view path, co
   if (const Result<void> fits = check_range(options, low, high, std::string(path)); !fits) return fits.error();
   const std::uint32_t first = options.first.value_or(low) - low;
   const auto end = static_cast<std::uint32_t>(options.last.value_or(high) - low + 1);
-  return std::unique_ptr<MeshSource>(std::make_unique<StreamMeshes>(std::move(*levels), first, end));
+  return std::unique_ptr<MeshSource>(std::make_unique<StreamMeshes>(std::move(*levels), first, end, options.step));
 }
 
 }  // namespace limber::eval

@@ -22,6 +22,7 @@
 #include "limber/stream/chunk.h"
 #include "limber/view/player.h"
 #include "tool/clip_argument.h"
+#include "tool/frames_argument.h"
 #include "tool/progress.h"
 #include "tool/ranges.h"
 #include "tool/stream_file.h"
@@ -245,8 +246,8 @@ Result<Exit> report(const StreamFile& file, const StreamCheck& check, const std:
 
 Result<Exit> check(const Arguments& arguments, Console& console) {
   if (arguments.against.specification.empty() &&
-      (arguments.against.options.first || arguments.against.options.last || !arguments.against.options.mesh.empty()))
-    throw UsageError("--mesh, --first and --last are those of the clip: they need --against");
+      (is_part(arguments.against.options) || !arguments.against.options.mesh.empty()))
+    throw UsageError("--mesh, --frames, --first and --last are those of the clip: they need --against");
   const Result<StreamFile> file = StreamFile::open(arguments.file);
   if (!file) return file.error();
   std::unique_ptr<ClipReader> clip;

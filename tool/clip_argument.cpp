@@ -5,6 +5,7 @@
 
 #include "limber/clip/input_file.h"
 #include "limber/stream/stream_reader.h"
+#include "tool/frames_argument.h"
 #include "tool/stream_file.h"
 
 namespace limber::tool {
@@ -38,8 +39,7 @@ void declare_clip(CLI::App& app, ClipArgument& argument, const std::string& name
   app.add_option("--mesh", argument.options.mesh,
                  "the mesh of a .pc2 or .mdd; found by itself where it is the only one")
       ->type_name("FILE");
-  app.add_option("--first", argument.options.first, "first frame, as the source numbers them")->type_name("N");
-  app.add_option("--last", argument.options.last, "last frame, as the source numbers them")->type_name("N");
+  declare_frames(app, argument.options);
 }
 
 Result<std::unique_ptr<ClipReader>> open_any_clip(const ClipArgument& argument) {

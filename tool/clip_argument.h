@@ -16,7 +16,7 @@ struct ClipArgument {
   ClipOptions options;
 };
 
-// CLIP, --mesh, --first and --last. `argument` must outlive the parsing.
+// CLIP, --mesh, --frames, --first and --last. `argument` must outlive the parsing.
 void declare_clip(CLI::App& app, ClipArgument& argument, const std::string& name = "CLIP");
 
 // Whatever open_clip() opens, and streams: `FILE.limber`, or `-` for one on standard input.

@@ -6,6 +6,7 @@
 #include "limber/clip/frame_files.h"
 #include "limber/clip/mesh_sequence_writer.h"
 #include "limber/clip/numbered_name.h"
+#include "tool/frames_argument.h"
 #include "tool/level_argument.h"
 #include "tool/open_source.h"
 #include "tool/output_argument.h"
@@ -38,7 +39,9 @@ bool is_numbered(const std::string& path) {
 
 // Frames counted from 0, the end not included.
 struct Range {
-  std::uint32_t first = 0, end = 0;
+  std::uint32_t first = 0, end = 0, step = 1;
+
+  std::uint32_t size() const { return (end - first + step - 1) / step; }
 };
 
 Result<Range> choose_frames(const eval::StreamLevels& levels, const ClipArgument& stream) {
@@ -47,7 +50,7 @@ Result<Range> choose_frames(const eval::StreamLevels& levels, const ClipArgument
   if (const Result<void> fits = check_range(stream.options, low, high, stream.specification); !fits)
     return fits.error();
   return Range{stream.options.first.value_or(low) - low,
-               static_cast<std::uint32_t>(stream.options.last.value_or(high) - low + 1)};
+               static_cast<std::uint32_t>(stream.options.last.value_or(high) - low + 1), stream.options.step};
 }
 
 Result<void> write(const MeshBuffers& buffers, std::vector<Triangle>& triangles, MeshSequenceWriter& writer) {
@@ -67,10 +70,11 @@ Result<std::vector<Extracted>> extract_levels(eval::StreamLevels& levels, const 
     if (!created) return created.error();
     writer.emplace(std::move(*created));
   }
-  Progress progress(console, "extracting", range.end - range.first);
+  Progress progress(console, "extracting", range.size());
   std::vector<Extracted> all;
   std::vector<Triangle> triangles;
-  for (std::uint32_t frame = range.first; frame < range.end; ++frame) {
+  for (std::uint64_t at = range.first; at < range.end; at += range.step) {
+    const auto frame = static_cast<std::uint32_t>(at);
     if (const Result<void> there = levels.go_to(frame); !there) return there.error();
     const MeshBuffers& buffers = levels.buffers();
     if (writer) {
@@ -91,8 +95,7 @@ Result<std::optional<double>> take_pictures_of(const Arguments& arguments, const
                                                bool many, Console& console) {
   ClipArgument original = arguments.picture.original;
   if (original.specification.empty()) original = arguments.stream;
-  original.options.first = arguments.stream.options.first;
-  original.options.last = arguments.stream.options.last;
+  copy_part(arguments.stream.options, original.options);
   ClipArgument space = arguments.stream;
   const bool fits_clip = arguments.picture.fit == Fit::kClip || (arguments.picture.fit == Fit::kSuitable && many);
   if (fits_clip) space.options = {};
@@ -142,8 +145,8 @@ void check_usage(const Arguments& arguments) {
                     "any clip",
                     arguments.stream.specification));
   }
-  if (arguments.frame && (arguments.stream.options.first || arguments.stream.options.last))
-    throw UsageError("--frame excludes --first and --last");
+  if (arguments.frame && is_part(arguments.stream.options))
+    throw UsageError("--frame excludes --frames, --first and --last");
   const std::string& path = arguments.output.path;
   if (!path.empty() && !arguments.output.is_standard_output() && !is_picture(path) && !mesh_format(path))
     throw UsageError(fmt::format("{} is nothing that limber extracts; the extensions are .obj .ply .off .png", path));
@@ -160,16 +163,16 @@ Result<Exit> extract_verb(Arguments arguments, Console& console) {
   const Result<Range> range = choose_frames(**opened, arguments.stream);
   if (!range) return range.error();
   const std::string& path = arguments.output.path;
-  const bool many = range->end - range->first > 1;
+  const bool many = range->size() > 1;
   if (many && arguments.output.is_standard_output()) {
-    throw UsageError(fmt::format("standard output takes one frame, and there are {}; choose one with --frame N",
-                                 range->end - range->first));
+    throw UsageError(
+        fmt::format("standard output takes one frame, and there are {}; choose one with --frame N", range->size()));
   }
   if (many && !path.empty() && !is_numbered(path))
     throw UsageError(
         fmt::format("{} is one file for {} frames; choose one with --frame N, or number the files as in "
                     "'%04d{}'",
-                    path, range->end - range->first, std::filesystem::path(path).extension().string()));
+                    path, range->size(), std::filesystem::path(path).extension().string()));
   if (const auto promised = (*opened)->frame_count(); promised && *promised > (*opened)->available_frames())
     console.warn("{} is cut off: {} of its {} frames are whole", arguments.stream.specification,
                  (*opened)->available_frames(), *promised);
@@ -198,8 +201,7 @@ Action declare_extract(CLI::App& app) {
   app.add_option("FILE", arguments->stream.specification, "a .limber stream")->required();
   app.add_option("--frame", arguments->frame, "this frame only, as the source numbers it; otherwise all")
       ->type_name("N");
-  app.add_option("--first", arguments->stream.options.first, "first frame, as the source numbers them")->type_name("N");
-  app.add_option("--last", arguments->stream.options.last, "last frame, as the source numbers them")->type_name("N");
+  declare_frames(app, arguments->stream.options);
   declare_level(app, arguments->level);
   declare_mesh_output(app, arguments->output,
                       "lod.obj (or .ply, .off), 'lod/%04d.obj' for several frames, - for standard output, or a "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "eval/clip_measure.h"
 #include "eval/clip_report.h"
+#include "tool/frames_argument.h"
 #include "tool/level_argument.h"
 #include "tool/open_source.h"
 #include "tool/progress.h"
@@ -99,8 +100,7 @@ Action declare_measure(CLI::App& app) {
   declare_level(app, arguments->level);
   declare_sampling(app, arguments->distance);
   return [arguments](Console& console) {
-    arguments->approximation.options.first = arguments->original.options.first;
-    arguments->approximation.options.last = arguments->original.options.last;
+    copy_part(arguments->original.options, arguments->approximation.options);
     return run_measure(*arguments, console);
   };
 }

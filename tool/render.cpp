@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "limber/clip/numbered_name.h"
+#include "tool/frames_argument.h"
 #include "tool/level_argument.h"
 #include "tool/open_source.h"
 #include "tool/picture_argument.h"
@@ -26,8 +27,8 @@ Result<Exit> render(Arguments arguments, Console& console) {
   if (!is_picture(arguments.output.path)) {
     throw UsageError(fmt::format("{} is no name of a picture; it must end in .png", arguments.output.path));
   }
-  if (arguments.frame && (arguments.clip.options.first || arguments.clip.options.last))
-    throw UsageError("--frame excludes --first and --last");
+  if (arguments.frame && is_part(arguments.clip.options))
+    throw UsageError("--frame excludes --frames, --first and --last");
   const ClipArgument whole = arguments.clip;
   ClipArgument& shown = arguments.clip;
   ClipArgument original = arguments.picture.original;
@@ -48,8 +49,7 @@ Result<Exit> render(Arguments arguments, Console& console) {
     }
     shown.options.first = shown.options.last = arguments.frame;
   }
-  original.options.first = shown.options.first;
-  original.options.last = shown.options.last;
+  copy_part(shown.options, original.options);
   const std::optional<CutOptions> cut = cut_options(arguments.level, !many);
   const bool fits_clip = arguments.picture.fit == Fit::kClip || (arguments.picture.fit == Fit::kSuitable && many);
   const PictureJob job{.options = arguments.picture.options,

@@ -114,5 +114,33 @@ TEST(Clip, LeavesAnExistingSequenceAloneUntilTheNewOneIsWhole) {
   EXPECT_EQ(folder.read("0.obj"), "old");
 }
 
+std::vector<std::vector<Vec3f>> all_frames(const ClipOptions& options) {
+  const auto reader = open_clip("sample:flag?vertices=300&frames=8", options);
+  EXPECT_TRUE(reader);
+  std::vector<std::vector<Vec3f>> frames;
+  std::vector<Vec3f> positions((*reader)->mesh().vertex_count);
+  while (*(*reader)->read(positions)) frames.push_back(positions);
+  EXPECT_EQ((*reader)->frame_count(), frames.size());
+  EXPECT_TRUE((*reader)->rewind());
+  EXPECT_TRUE(*(*reader)->read(positions));
+  EXPECT_EQ(positions, frames.front());
+  return frames;
+}
+
+TEST(OpenClip, GivesEveryNthFrame) {
+  const auto all = all_frames({});
+  for (const std::uint32_t step : {1u, 2u, 3u, 7u, 8u, 100u}) {
+    std::vector<std::vector<Vec3f>> expected;
+    for (std::size_t i = 1; i < all.size(); i += step) expected.push_back(all[i]);
+    EXPECT_EQ(all_frames({.first = 1, .step = step}), expected) << step;
+  }
+}
+
+TEST(OpenClip, LowersTheRateWithTheStep) {
+  const auto all = open_clip("sample:flag?vertices=300&frames=8", {});
+  const auto some = open_clip("sample:flag?vertices=300&frames=8", {.step = 4});
+  EXPECT_EQ(4 * (*some)->frames_per_second(), (*all)->frames_per_second());
+}
+
 }  // namespace
 }  // namespace limber

@@ -149,6 +149,21 @@ TEST_F(ProgramFiles, FramesAreChosenByTheNumbersOfTheSource) {
   EXPECT_EQ(run({"convert", kSample, "--first", "8", "-o", path("x.pc2")}).exit, Exit::kBadInput);
 }
 
+TEST_F(ProgramFiles, ARangeOfFramesMayHaveAStep) {
+  const std::vector<std::pair<std::string, int>> ranges{{"4", 1}, {"2-", 6}, {"-2", 3}, {"1-5x2", 3}, {"x3", 3}};
+  for (const auto& [range, count] : ranges) {
+    const Ran ran = run({"convert", kSample, "--frames", range, "-f", "-o", path("a.pc2"), "--json"});
+    ASSERT_EQ(ran.exit, Exit::kDone) << range << ran.err;
+    EXPECT_EQ(ran.json()["frames"], count) << range;
+  }
+  ASSERT_EQ(run({"convert", kSample, "--frames", "1-5x2", "-o", path("a/%02d.obj")}).exit, Exit::kDone);
+  ASSERT_EQ(run({"convert", kSample, "-o", path("b/%02d.obj")}).exit, Exit::kDone);
+  EXPECT_EQ(bytes(path("a/03.obj")), bytes(path("b/05.obj")));
+  for (const char* const wrong : {"", "a", "1-2-3", "1x", "1-5x0", "5-1"})
+    EXPECT_NE(run({"convert", kSample, "--frames", wrong, "-f", "-o", path("a.pc2")}).exit, Exit::kDone) << wrong;
+  EXPECT_EQ(run({"convert", kSample, "--frames", "1", "--last", "2", "-f", "-o", path("a.pc2")}).exit, Exit::kUsage);
+}
+
 TEST_F(ProgramFiles, SamplesAreListed) {
   const auto json = run({"sample", "--json"}).json();
   EXPECT_EQ(json["schema"], "limber.samples/1");

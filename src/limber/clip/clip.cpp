@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "limber/clip/clip.h"
 
+#include <cassert>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -65,9 +66,7 @@ class MeshClipWriter final : public ClipWriter {
   Mesh mesh_;
 };
 
-}  // namespace
-
-Result<std::unique_ptr<ClipReader>> open_clip(std::string_view specification, const ClipOptions& options) {
+Result<std::unique_ptr<ClipReader>> open_every_frame(std::string_view specification, const ClipOptions& options) {
   if (specification.starts_with("sample:")) {
     Result<std::unique_ptr<ClipReader>> sample = open_sample(specification);
     return sample ? limit_frames(std::move(*sample), options, std::string(specification)) : std::move(sample);
@@ -86,6 +85,16 @@ Result<std::unique_ptr<ClipReader>> open_clip(std::string_view specification, co
   if (NumberedName::is_pattern(name)) return open_frames(frames_of_pattern(path, options));
   if (specification.find_first_of("*?") != std::string_view::npos) return open_frames(frames_of_glob(path, options));
   return Error{ErrorCode::kNotFound, path.string(), "no such file or folder"};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<ClipReader>> open_clip(std::string_view specification, const ClipOptions& options) {
+  assert(options.step >= 1);
+  ClipOptions every_frame = options;
+  every_frame.step = 1;
+  Result<std::unique_ptr<ClipReader>> reader = open_every_frame(specification, every_frame);
+  return reader ? every_nth(std::move(*reader), options.step) : std::move(reader);
 }
 
 Result<std::unique_ptr<ClipWriter>> create_clip(std::string_view path, const Mesh& mesh,

@@ -45,6 +45,7 @@ struct ClipOptions {
   // The first and last frame numbers to read, as the source numbers them.
   std::optional<std::uint32_t> first;
   std::optional<std::uint32_t> last;
+  std::uint32_t step = 1;  // of these, the first and every step-th after it; >= 1. The rate is lowered to suit
 };
 
 // Opens whatever the specification names: a printf pattern, glob or folder of .obj/.ply/.off frames; a .pc2 or

@@ -105,7 +105,7 @@ Run number_by_order(std::vector<std::string> names) {
   return run;
 }
 
-// The files from options.first to options.last, which must all be there.
+// The files from options.first to options.last, which must all be there, at the steps asked for.
 Result<FrameFiles> select(const Run& run, const fs::path& folder, const fs::path& where, const ClipOptions& options) {
   const std::uint32_t low = run.files.front().number;
   const std::uint32_t high = run.files.back().number;
@@ -122,7 +122,7 @@ Result<FrameFiles> select(const Run& run, const fs::path& folder, const fs::path
                    fmt::format("{} and {} are both frame {}", run.files[i - 1].name, name, number)};
     }
     if (number != expected) break;
-    frames.paths.push_back(folder / name);
+    if ((number - frames.first_number) % options.step == 0) frames.paths.push_back(folder / name);
     ++expected;
   }
   if (expected <= last) {

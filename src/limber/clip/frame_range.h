@@ -15,4 +15,8 @@ namespace limber {
 Result<std::unique_ptr<ClipReader>> limit_frames(std::unique_ptr<ClipReader> reader, const ClipOptions& options,
                                                  const std::string& where);
 
+// The first frame of a clip and every step-th after it, numbered on from the first; those between are read and passed
+// over. Precondition: step >= 1.
+std::unique_ptr<ClipReader> every_nth(std::unique_ptr<ClipReader> reader, std::uint32_t step);
+
 }  // namespace limber

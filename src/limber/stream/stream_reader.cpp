@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "limber/clip/frame_files.h"
+#include "limber/clip/frame_range.h"
 #include "limber/stream/decoder.h"
 
 namespace limber {
@@ -82,7 +83,7 @@ Result<std::unique_ptr<ClipReader>> open_stream_clip(std::span<const std::byte> 
     const bool has_end = options.last || reader->frame_count().has_value();
     reader->limit(options.first.value_or(first) - first, options.last ? *options.last - first + 1 : count, has_end);
   }
-  return std::unique_ptr<ClipReader>(std::move(reader));
+  return every_nth(std::move(reader), options.step);
 }
 
 }  // namespace limber
