@@ -85,13 +85,13 @@ TEST(Turns, OfASmallClusterAreThoseOfItsParent) {
 TEST(Turns, AreNoneWhereAllStays) {
   Scene scene(25, 5);
   scene.move(on_a_sheet, [](const Vec3d& p) { return p; });
-  EXPECT_EQ(scene.turns().turned(0, {1, 2, 3}), Vec3d(1, 2, 3));
+  EXPECT_EQ(scene.turns().turned(0, {1, 2, 3}), (Vec3d{1, 2, 3}));
 }
 
 TEST(Turns, AreNoneWhereAllVerticesAreInOnePlace) {
   Scene scene(9, 3);
   scene.move([](Index) { return Vec3d{5, 5, 5}; }, rotation(30));
-  EXPECT_EQ(scene.turns().turned(0, {1, 2, 3}), Vec3d(1, 2, 3));
+  EXPECT_EQ(scene.turns().turned(0, {1, 2, 3}), (Vec3d{1, 2, 3}));
 }
 
 TEST(Turns, StayFiniteAtTheEndsOfTheLattice) {

@@ -12,6 +12,8 @@ constexpr double kLeastCount = 3;
 // Where in the moments.
 enum : std::size_t { kBefore = 0, kNow = 3, kTwist = 6, kSquares = 9, kCount = 15 };
 
+Vec3d coordinates(const Lattice& at) { return {double(at[0]), double(at[1]), double(at[2])}; }
+
 template <std::size_t kSize>
 Vec3d vector(const std::array<double, kSize>& from, std::size_t at) {
   return {from[at], from[at + 1], from[at + 2]};
@@ -57,8 +59,7 @@ void Turns::measure(std::span<const Index> parent, const Traversal& traversal, s
   const Index vertex_count = level_begin_[1];
   std::fill(moments_.begin(), moments_.end(), Moments{});
   for (Index place = 0; place < vertex_count; ++place) {
-    const Vec3d a(before[place][0], before[place][1], before[place][2]);
-    const Vec3d b(now[place][0], now[place][1], now[place][2]), c = cross(a, b);
+    const Vec3d a = coordinates(before[place]), b = coordinates(now[place]), c = cross(a, b);
     add(moments_[parent[traversal.order[place]] - vertex_count],
         {a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, a.x * a.x, a.x * a.y, a.x * a.z, a.y * a.y, a.y * a.z, a.z * a.z,
          1.0});
