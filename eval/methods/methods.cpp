@@ -12,6 +12,10 @@ constexpr MethodInfo kMethods[] = {
     {"improved", "as direct, its clusters then improved by swaps on the same frame", true, Sees::kFirst, make_improved},
     {"first-frame", "the clusters of the first frame, placed anew in every frame", false, Sees::kFirst,
      make_first_frame},
+    {"rest-pose", "vertices of the first frame's simplification, as game engines do", false, Sees::kFirst,
+     make_rest_pose},
+    {"dsd", "one clustering under the sum of all frames' errors (Mohr & Gleicher)", false, Sees::kMany, make_dsd},
+    {"average", "one clustering under the largest of all frames' errors", false, Sees::kMany, make_average},
     {"multilevel", "a hierarchy that follows the clip by swaps, cut at the size asked for", false, Sees::kBase,
      make_multilevel},
 };

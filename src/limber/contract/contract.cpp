@@ -9,8 +9,8 @@
 //       else:                                              apply()
 //     with nothing left to take: give every edge put off another chance, then one without the fold-over check
 //
-// Prices are brought up to date only when an edge reaches the front: quadrics are sums of squares, so a cost only ever
-// grows as its ends absorb others, and an old one is a lower bound. The order is the same as if all were kept up to
+// Prices are brought up to date only when an edge reaches the front: quadrics are sums of squares, so a cost in any frame
+// only ever grows as its ends absorb others, and an old one is a lower bound. The order is the same as if all were kept up to
 // date.
 #include "limber/contract/contract.h"
 
@@ -82,10 +82,13 @@ bool Contractor::goes_on(Index steps) {
 
 float Contractor::cost(Index edge) const {
   const auto [u, v] = surface_.ends(edge);
-  double sum = 0;
-  for (std::size_t f = 0; f < frame_count_; ++f)
-    sum += minimum(quadrics_[u * frame_count_ + f] + quadrics_[v * frame_count_ + f]).value;
-  return static_cast<float>(sum);
+  const bool is_sum = options_.frame_cost == FrameCost::kSum;
+  double total = 0;
+  for (std::size_t f = 0; f < frame_count_; ++f) {
+    const double value = minimum(quadrics_[u * frame_count_ + f] + quadrics_[v * frame_count_ + f]).value;
+    total = is_sum ? total + value : std::max(total, value);
+  }
+  return static_cast<float>(total);
 }
 
 void Contractor::enqueue(Index edge) {

@@ -24,18 +24,26 @@ enum class Topology {
   kFree,      // holes may close, necks and fins may collapse; components are never joined
 };
 
+// How the costs of an edge in several frames become one.
+enum class FrameCost {
+  kSum,      // Mohr & Gleicher 2003
+  kLargest,  // Kircher & Garland 2005, section 6
+};
+
 struct ContractOptions {
   Topology topology = Topology::kPreserve;
   QuadricOptions quadrics;
   // A contraction is put off while it would turn the normal of a triangle beyond the angle with this cosine, -1 to 1.
   double fold_over_cosine = 0.2;
+  FrameCost frame_cost = FrameCost::kSum;
 };
 
 // Asked now and then by what takes long; false: stop. Quick, and without an effect on the result.
 using GoOnFunction = std::function<bool()>;
 
-// Contracts edges, cheapest first, and can be asked for smaller and smaller vertex counts. The cost of an edge is the
-// sum over the frames of the smallest value of the sum of its ends' quadrics, each frame with a minimum of its own.
+// Contracts edges, cheapest first, and can be asked for smaller and smaller vertex counts. The cost of an edge in a frame
+// is the smallest value of the sum of its ends' quadrics, each frame with a minimum of its own; its cost is the sum over
+// the frames, or what options.frame_cost says.
 // Isolated vertices stay and do not count.
 class Contractor {
  public:
