@@ -5,35 +5,23 @@
 //   frame:  place the clusters anew (static_clusters.h)
 //
 // The paper's poses are the frames seen: all of the clip where memory allows, otherwise as many as it holds, spread
-// evenly (many_frames()). Frames in between are placed by their own quadrics all the same.
-#include <optional>
-
-#include "eval/methods/contract_to_size.h"
+// evenly (seen_frames.h). Frames in between are placed by their own quadrics all the same.
 #include "eval/methods/factories.h"
-#include "eval/methods/static_clusters.h"
+#include "eval/methods/many_frames.h"
+#include "eval/methods/static_method.h"
 
 namespace limber::eval {
 namespace {
 
-class Dsd final : public Method {
- public:
-  explicit Dsd(const MethodOptions& options) : options_(options) {}
-
-  void begin(const Mesh& mesh, std::span<const std::span<const Vec3f>> seen) override {
-    Contractor contractor(mesh, seen, options_.contract);
-    contract_to_size(contractor, mesh, options_);
-    clusters_.emplace(mesh, contractor, seen[0], options_.contract.quadrics);
-  }
-
-  void frame(std::span<const Vec3f> positions, Approximation& out) override { clusters_->frame(positions, out); }
-
- private:
-  MethodOptions options_;
-  std::optional<StaticClusters> clusters_;
-};
+Contractor contractor_by_sum(const Mesh& mesh, std::span<const std::span<const Vec3f>> seen,
+                             const ContractOptions& options) {
+  return Contractor(mesh, seen, for_many_frames(options));
+}
 
 }  // namespace
 
-std::unique_ptr<Method> make_dsd(const MethodOptions& options) { return std::make_unique<Dsd>(options); }
+std::unique_ptr<Method> make_dsd(const MethodOptions& options) {
+  return make_static_method(options, contractor_by_sum);
+}
 
 }  // namespace limber::eval

@@ -4,34 +4,21 @@
 //
 //   begin:  contract the first frame; its clusters and triangles stay
 //   frame:  place the clusters anew (static_clusters.h)
-#include <optional>
-
-#include "eval/methods/contract_to_size.h"
 #include "eval/methods/factories.h"
-#include "eval/methods/static_clusters.h"
+#include "eval/methods/static_method.h"
 
 namespace limber::eval {
 namespace {
 
-class FirstFrame final : public Method {
- public:
-  explicit FirstFrame(const MethodOptions& options) : options_(options) {}
-
-  void begin(const Mesh& mesh, std::span<const std::span<const Vec3f>> seen) override {
-    Contractor contractor(mesh, seen.first(1), options_.contract);
-    contract_to_size(contractor, mesh, options_);
-    clusters_.emplace(mesh, contractor, seen[0], options_.contract.quadrics);
-  }
-
-  void frame(std::span<const Vec3f> positions, Approximation& out) override { clusters_->frame(positions, out); }
-
- private:
-  MethodOptions options_;
-  std::optional<StaticClusters> clusters_;
-};
+Contractor contractor_of_first_frame(const Mesh& mesh, std::span<const std::span<const Vec3f>> seen,
+                                     const ContractOptions& options) {
+  return Contractor(mesh, seen.first(1), options);
+}
 
 }  // namespace
 
-std::unique_ptr<Method> make_first_frame(const MethodOptions& options) { return std::make_unique<FirstFrame>(options); }
+std::unique_ptr<Method> make_first_frame(const MethodOptions& options) {
+  return make_static_method(options, contractor_of_first_frame);
+}
 
 }  // namespace limber::eval

@@ -16,6 +16,7 @@ constexpr MethodInfo kMethods[] = {
      make_rest_pose},
     {"dsd", "one clustering under the sum of all frames' errors (Mohr & Gleicher)", false, Sees::kMany, make_dsd},
     {"average", "one clustering under the largest of all frames' errors", false, Sees::kMany, make_average},
+    {"best-cut", "one hierarchy, cut anew in every frame by the frame's own errors", false, Sees::kMany, make_best_cut},
     {"multilevel", "a hierarchy that follows the clip by swaps, cut at the size asked for", false, Sees::kBase,
      make_multilevel},
 };

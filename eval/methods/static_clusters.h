@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One clustering for the whole clip, its vertices placed anew in every frame: what methods of static connectivity share.
+// One clustering for the whole clip, its vertices placed anew in every frame: what methods of static connectivity
+// share.
 //
 //   frame:  quadrics of the vertices, summed over the clusters; a vertex where each sum is smallest
 #pragma once

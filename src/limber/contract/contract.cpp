@@ -9,9 +9,9 @@
 //       else:                                              apply()
 //     with nothing left to take: give every edge put off another chance, then one without the fold-over check
 //
-// Prices are brought up to date only when an edge reaches the front: quadrics are sums of squares, so a cost in any frame
-// only ever grows as its ends absorb others, and an old one is a lower bound. The order is the same as if all were kept up to
-// date.
+// Prices are brought up to date only when an edge reaches the front: quadrics are sums of squares, so a cost in any
+// frame only ever grows as its ends absorb others, and an old one is a lower bound. The order is the same as if all
+// were kept up to date.
 #include "limber/contract/contract.h"
 
 #include <algorithm>

@@ -41,10 +41,9 @@ struct ContractOptions {
 // Asked now and then by what takes long; false: stop. Quick, and without an effect on the result.
 using GoOnFunction = std::function<bool()>;
 
-// Contracts edges, cheapest first, and can be asked for smaller and smaller vertex counts. The cost of an edge in a frame
-// is the smallest value of the sum of its ends' quadrics, each frame with a minimum of its own; its cost is the sum over
-// the frames, or what options.frame_cost says.
-// Isolated vertices stay and do not count.
+// Contracts edges, cheapest first, and can be asked for smaller and smaller vertex counts. The cost of an edge in a
+// frame is the smallest value of the sum of its ends' quadrics, each frame with a minimum of its own; its cost is the
+// sum over the frames, or what options.frame_cost says. Isolated vertices stay and do not count.
 class Contractor {
  public:
   // frames: at least one; each [mesh.vertex_count], finite. Neither need live on. go_on is asked here and in
