@@ -41,6 +41,11 @@ struct ContractOptions {
 // Asked now and then by what takes long; false: stop. Quick, and without an effect on the result.
 using GoOnFunction = std::function<bool()>;
 
+// Changes the quadrics of the vertices in a frame, [mesh.vertex_count], before anything is contracted. They are given
+// in coordinates normalized by the frame's normalization() with the scale of the first frame's, must stay positive
+// definite (see base/quadric.h), and may be replaced altogether.
+using ChangeQuadricsFunction = std::function<void(std::size_t frame, std::span<Quadric> quadrics)>;
+
 // Contracts edges, cheapest first, and can be asked for smaller and smaller vertex counts. The cost of an edge in a
 // frame is the smallest value of the sum of its ends' quadrics, each frame with a minimum of its own; its cost is the
 // sum over the frames, or what options.frame_cost says. Isolated vertices stay and do not count.
@@ -49,7 +54,7 @@ class Contractor {
   // frames: at least one; each [mesh.vertex_count], finite. Neither need live on. go_on is asked here and in
   // contract_to(): before each pass over the mesh, of which a frame takes one, and about every thousand edges.
   Contractor(const Mesh& mesh, std::span<const std::span<const Vec3f>> frames, const ContractOptions& options,
-             GoOnFunction go_on = {});
+             GoOnFunction go_on = {}, const ChangeQuadricsFunction& change_quadrics = {});
 
   // Contracts until at most `target` vertices are left that are not isolated, or no legal contraction remains; gives
   // the number left. Contractions put off by the fold-over check are made when nothing else is left.
