@@ -6,6 +6,7 @@
 //   begin:  build the hierarchy under the sum of the frames seen, in as fine levels as a vertex hierarchy comes near to
 //   frame:  quadrics of the vertices, summed up the hierarchy; positions and errors at their minima
 //           the cut of the size asked for that has the least error (limber/view/budget.h)
+#include <algorithm>
 #include <cmath>
 #include <optional>
 

@@ -13,6 +13,8 @@
 // samples, all equally likely, and a vertex does what the rotation does that fits its neighbours best (local_motion.h).
 // The paper moves a contracted vertex by blended weights; here, where there are none, its clusters are placed as those
 // of the other methods are.
+#include <algorithm>
+
 #include "eval/methods/factories.h"
 #include "eval/methods/local_motion.h"
 #include "eval/methods/static_method.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "limber/contract/contract.h"
 
+#include <algorithm>
 #include <chrono>
 #include <gtest/gtest.h>
 #include <set>
@@ -110,6 +111,70 @@ TEST(Contractor, GivesTheSameWhetherItStopsOnTheWayOrNot) {
     EXPECT_EQ(r, at_once.representative(r));
     EXPECT_EQ(at_once.position(r, 0), by_steps.position(r, 0));
   }
+}
+
+// Two hinges side by side on a flat strip, three columns of vertices each: in each frame the spine of one of them rises
+// by what is given.
+Shape hinges(float left, float right) {
+  Shape shape = test::sheet(7, 2);
+  for (Vec3f& p : shape.positions) {
+    if (p.x == 1) p.z = left;
+    if (p.x == 5) p.z = right;
+  }
+  return shape;
+}
+
+TEST(Contractor, TheLargestCostOverFramesIsNotTheirSum) {
+  // The left hinge bends a little in all frames, the right one more in one of them: a sum of squares takes the right
+  // one for the flatter, the largest square the left one.
+  const Shape calm = hinges(0.2f, 0), bent = hinges(0.2f, 0.3f);
+  const std::span<const Vec3f> frames[] = {bent.positions, calm.positions, calm.positions, calm.positions};
+  const auto has_spine = [&](FrameCost cost, float x) {
+    Contractor contractor(bent.mesh, frames, {.frame_cost = cost});
+    contractor.contract_to(8);
+    std::set<Index> spine, beside;
+    for (Index v = 0; v < bent.mesh.vertex_count; ++v) {
+      const float at = bent.positions[v].x;
+      if (at == x) spine.insert(contractor.representative(v));
+      if (at == x - 1 || at == x + 1) beside.insert(contractor.representative(v));
+    }
+    return std::ranges::none_of(spine, [&](Index r) { return beside.contains(r); });
+  };
+  EXPECT_TRUE(has_spine(FrameCost::kSum, 1));
+  EXPECT_FALSE(has_spine(FrameCost::kSum, 5));
+  EXPECT_FALSE(has_spine(FrameCost::kLargest, 1));
+  EXPECT_TRUE(has_spine(FrameCost::kLargest, 5));
+}
+
+TEST(Contractor, TheLargestCostOfEqualFramesGivesWhatOneOfThemGives) {
+  const Shape ball = test::jittered(test::sphere(3), 0.05f, 9);
+  const std::span<const Vec3f> frames[] = {ball.positions, ball.positions, ball.positions};
+  Contractor one(ball.mesh, std::span(frames).first(1), {}),
+      three(ball.mesh, frames, {.frame_cost = FrameCost::kLargest});
+  one.contract_to(60);
+  three.contract_to(60);
+  for (Index v = 0; v < ball.mesh.vertex_count; ++v) EXPECT_EQ(one.representative(v), three.representative(v));
+}
+
+TEST(Contractor, QuadricsMayBeChangedBeforeItBegins) {
+  const Shape ball = test::jittered(test::sphere(3), 0.05f, 10);
+  const std::span<const Vec3f> frames[] = {ball.positions, ball.positions};
+  const auto kept_above = [&](double weight) {
+    const auto weigh = [&](std::size_t, std::span<Quadric> quadrics) {
+      ASSERT_EQ(quadrics.size(), ball.positions.size());
+      for (std::size_t v = 0; v < quadrics.size(); ++v)
+        if (ball.positions[v].z > 0) quadrics[v] *= weight;
+    };
+    Contractor contractor(ball.mesh, frames, {}, {}, weigh);
+    contractor.contract_to(60);
+    Index count = 0;
+    for (Index v = 0; v < ball.mesh.vertex_count; ++v)
+      count += contractor.representative(v) == v && contractor.position(v, 1).z > 0;
+    return count;
+  };
+  const Index alike = kept_above(1), above = kept_above(16), below = kept_above(1.0 / 16);
+  EXPECT_GT(above, alike + 8);
+  EXPECT_LT(below + 8, alike);
 }
 
 TEST(Contractor, GivesTheSameTwice) {
