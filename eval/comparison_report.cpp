@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -85,25 +86,27 @@ Json comparison_json(const Comparison& comparison) {
 
 std::string comparison_table(const Comparison& comparison) {
   const std::span<const Contender> contenders = comparison.contenders();
-  std::string table = fmt::format("{:<12}  {:>8}  {:>9}  {:>8}  {:>8}  {:>8}  {:>8}  {:>8}  {:>9}  {:>9}  {:>9}\n",
-                                  "method", "vertices", "triangles", "rms %", "mean %", "max %", "flicker", "changed",
-                                  "QEM", "adapt ms", "list ms");
+  std::size_t width = 12;
+  for (const Contender& contender : contenders) width = std::max(width, contender.info->name.size());
+  std::string table = fmt::format("{:<{}}  {:>8}  {:>9}  {:>8}  {:>8}  {:>8}  {:>8}  {:>8}  {:>9}  {:>9}  {:>9}\n",
+                                  "method", width, "vertices", "triangles", "rms %", "mean %", "max %", "flicker",
+                                  "changed", "QEM", "adapt ms", "list ms");
   for (const Contender& contender : contenders) {
     const ClipSummary summary = contender.measure.summary();
     table += fmt::format(
-        "{:<12}  {:>8.0f}  {:>9.0f}  {:>8.5f}  {:>8.5f}  {:>8.5f}  {:>8}  {:>8}  {:>9.3e}  {:>9.2f}  "
+        "{:<{}}  {:>8.0f}  {:>9.0f}  {:>8.5f}  {:>8.5f}  {:>8.5f}  {:>8}  {:>8}  {:>9.3e}  {:>9.2f}  "
         "{:>9.2f}\n",
-        contender.info->name, vertex_counts(contender).mean, summary.triangle_count.mean, summary.rms.mean,
+        contender.info->name, width, vertex_counts(contender).mean, summary.triangle_count.mean, summary.rms.mean,
         summary.mean.mean, summary.max.mean, or_dash(summary.flicker, 1, "", 5), or_dash(summary.changed, 100, " %", 2),
         quadric_errors(contender).mean, milliseconds(contender, &MethodFrame::adapt_seconds).mean,
         milliseconds(contender, &MethodFrame::extract_seconds).mean);
   }
   if (contenders.size() < 2) return table;
-  table += fmt::format("\nrelative to {}\n{:<12}  {:>8}  {:>8}  {:>11}  {:>8}  {:>8}\n", contenders.front().info->name,
-                       "method", "rms", "of means", "worst frame", "QEM", "time");
+  table += fmt::format("\nrelative to {}\n{:<{}}  {:>8}  {:>8}  {:>11}  {:>8}  {:>8}\n", contenders.front().info->name,
+                       "method", width, "rms", "of means", "worst frame", "QEM", "time");
   for (std::size_t i = 1; i < contenders.size(); ++i) {
     const Relative relative = comparison.relative(i);
-    table += fmt::format("{:<12}  {:>8.3f}  {:>8.3f}  {:>11.3f}  {:>8.3f}  {:>8.3f}\n", contenders[i].info->name,
+    table += fmt::format("{:<{}}  {:>8.3f}  {:>8.3f}  {:>11.3f}  {:>8.3f}  {:>8.3f}\n", contenders[i].info->name, width,
                          relative.rms_by_frame, relative.rms_by_mean, relative.rms_worst, relative.quadric_error,
                          relative.adapt_time);
   }

@@ -2,13 +2,10 @@
 // A hierarchy that follows the frames, and a cut through it: what the stream's reader does, without the coding.
 #pragma once
 
-#include <optional>
-
+#include "eval/methods/cut_mesh.h"
 #include "eval/methods/method.h"
 #include "limber/hierarchy/hierarchy.h"
 #include "limber/hierarchy/recluster.h"
-#include "limber/view/cut.h"
-#include "limber/view/extract.h"
 
 namespace limber::eval {
 
@@ -21,12 +18,9 @@ class Follower {
   void frame(std::span<const Vec3f> positions, Approximation& out);
 
  private:
-  const Mesh& mesh_;
   Reclusterer reclusterer_;
   FrameState state_;
-  Cut cut_;
-  ExtractScratch scratch_;
-  MeshBuffers buffers_;
+  CutMesh cut_mesh_;
 };
 
 }  // namespace limber::eval

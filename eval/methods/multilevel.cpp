@@ -44,9 +44,7 @@ class Multilevel final : public Method {
                                      .growth = options_.growth,
                                      .coarser_weight = options_.coarser_weight,
                                      .threshold = options_.threshold};
-    const CutOptions cut = options_.vertices > 0 ? CutOptions{.by = CutBy::kVertices, .budget = options_.vertices}
-                                                 : CutOptions{.by = CutBy::kTriangles, .budget = options_.triangles};
-    follower_.emplace(mesh, build_hierarchy(mesh, seen, build), recluster, cut);
+    follower_.emplace(mesh, build_hierarchy(mesh, seen, build), recluster, cut_to_size(options_));
   }
 
   void frame(std::span<const Vec3f> positions, Approximation& out) override { follower_->frame(positions, out); }

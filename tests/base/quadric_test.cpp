@@ -106,6 +106,18 @@ TEST(QuadricMinimum, LiesWhereASearchByHalvingStepsFindsIt) {
   }
 }
 
+TEST(Quadric, ScaledHasScaledValuesAndTheSameMinimum) {
+  Random random(8);
+  Quadric q;
+  for (int k = 0; k < 4; ++k) q += Quadric::plane(random_direction(random), random_point(random), 1);
+  q.add_point(random_point(random), 0.5);
+  Quadric four = q;
+  four *= 4;
+  const Vec3d x = random_point(random);
+  EXPECT_EQ(four(x), 4 * q(x));
+  EXPECT_LT(length(minimum(four).point - minimum(q).point), 1e-12);
+}
+
 TEST(QuadricMinimum, NeverHasANegativeValue) {
   Random random(6);
   for (int i = 0; i < 1000; ++i) {

@@ -112,6 +112,59 @@ TEST(Contractor, GivesTheSameWhetherItStopsOnTheWayOrNot) {
   }
 }
 
+TEST(Contractor, TheLargestCostOverFramesIsNotTheirSum) {
+  // With a point for a quadric an edge costs half its squared length. Edge 0-1 is 1 long in both frames; edge 1-2 is
+  // short in the first and a little longer than that in the second.
+  const Mesh mesh{.vertex_count = 3, .triangles = {{0, 1, 2}}};
+  const std::vector<Vec3f> close{{0, 0, 0}, {1, 0, 0}, {1.1f, 0.01f, 0}}, apart{{0, 0, 0}, {1, 0, 0}, {1, 1.1f, 0}};
+  const std::span<const Vec3f> frames[] = {close, apart};
+  const auto points_alone = [&](std::size_t f, std::span<Quadric> quadrics) {
+    const Normalization normalize{normalization(frames[f]).center, normalization(frames[0]).scale};
+    for (std::size_t v = 0; v < quadrics.size(); ++v) {
+      quadrics[v] = {};
+      quadrics[v].add_point(normalize.to_unit(frames[f][v]), 1);
+    }
+  };
+  ContractOptions by_sum = kFreely, by_largest = kFreely;
+  by_largest.frame_cost = FrameCost::kLargest;
+  Contractor sum(mesh, frames, by_sum, {}, points_alone), largest(mesh, frames, by_largest, {}, points_alone);
+  EXPECT_EQ(sum.contract_to(2), 2u);
+  EXPECT_EQ(largest.contract_to(2), 2u);
+  EXPECT_EQ(sum.representative(1), sum.representative(2));
+  EXPECT_EQ(largest.representative(0), largest.representative(1));
+}
+
+TEST(Contractor, TheLargestCostOfEqualFramesGivesWhatOneOfThemGives) {
+  const Shape ball = test::jittered(test::sphere(3), 0.05f, 9);
+  const std::span<const Vec3f> frames[] = {ball.positions, ball.positions, ball.positions};
+  Contractor one(ball.mesh, std::span(frames).first(1), {}),
+      three(ball.mesh, frames, {.frame_cost = FrameCost::kLargest});
+  one.contract_to(60);
+  three.contract_to(60);
+  for (Index v = 0; v < ball.mesh.vertex_count; ++v) EXPECT_EQ(one.representative(v), three.representative(v));
+}
+
+TEST(Contractor, QuadricsMayBeChangedBeforeItBegins) {
+  const Shape ball = test::jittered(test::sphere(3), 0.05f, 10);
+  const std::span<const Vec3f> frames[] = {ball.positions, ball.positions};
+  const auto kept_above = [&](double weight) {
+    const auto weigh = [&](std::size_t, std::span<Quadric> quadrics) {
+      ASSERT_EQ(quadrics.size(), ball.positions.size());
+      for (std::size_t v = 0; v < quadrics.size(); ++v)
+        if (ball.positions[v].z > 0) quadrics[v] *= weight;
+    };
+    Contractor contractor(ball.mesh, frames, {}, {}, weigh);
+    contractor.contract_to(60);
+    Index count = 0;
+    for (Index v = 0; v < ball.mesh.vertex_count; ++v)
+      count += contractor.representative(v) == v && contractor.position(v, 1).z > 0;
+    return count;
+  };
+  const Index alike = kept_above(1), above = kept_above(16), below = kept_above(1.0 / 16);
+  EXPECT_GT(above, alike + 8);
+  EXPECT_LT(below + 8, alike);
+}
+
 TEST(Contractor, GivesTheSameTwice) {
   const Shape shape = test::jittered(test::sphere(3), 0.1f, 5);
   const Simplified a = simplified(shape, 50), b = simplified(shape, 50);

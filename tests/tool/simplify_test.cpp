@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 
+#include "eval/methods/method.h"
 #include "limber/clip/mesh_file.h"
 #include "tests/tool/run.h"
 
@@ -12,8 +13,9 @@ using tool::Exit;
 using SimplifyVerb = ToolTest;
 
 TEST_F(SimplifyVerb, WritesAMeshPerFrame) {
-  for (const char* const method : {"direct", "improved", "first-frame", "multilevel"}) {
-    const Ran ran = run({"simplify", kSample, "--method", method, "--vertices", "80", "-o", path("%02d.ply"), "-f"});
+  for (const eval::MethodInfo& method : eval::methods()) {
+    const Ran ran = run(
+        {"simplify", kSample, "--method", std::string(method.name), "--vertices", "80", "-o", path("%02d.ply"), "-f"});
     ASSERT_EQ(ran.exit, Exit::kDone) << ran.err;
     EXPECT_THAT(ran.out, HasSubstr("8 frames by"));
     const auto mesh = read_mesh(path("07.ply"));

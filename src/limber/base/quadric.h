@@ -41,6 +41,12 @@ struct Quadric {
     c -= o.c;
     return *this;
   }
+  Quadric& operator*=(double s) {
+    xx *= s, xy *= s, xz *= s, yy *= s, yz *= s, zz *= s;
+    bx *= s, by *= s, bz *= s;
+    c *= s;
+    return *this;
+  }
   friend Quadric operator+(Quadric a, const Quadric& b) { return a += b; }
   friend Quadric operator-(Quadric a, const Quadric& b) { return a -= b; }
   friend bool operator==(const Quadric&, const Quadric&) = default;

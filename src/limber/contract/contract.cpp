@@ -9,9 +9,9 @@
 //       else:                                              apply()
 //     with nothing left to take: give every edge put off another chance, then one without the fold-over check
 //
-// Prices are brought up to date only when an edge reaches the front: quadrics are sums of squares, so a cost only ever
-// grows as its ends absorb others, and an old one is a lower bound. The order is the same as if all were kept up to
-// date.
+// Prices are brought up to date only when an edge reaches the front: quadrics are sums of squares, so a cost in any
+// frame only ever grows as its ends absorb others, and an old one is a lower bound. The order is the same as if all
+// were kept up to date.
 #include "limber/contract/contract.h"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ constexpr Index kStepsUnasked = 1024;
 }  // namespace
 
 Contractor::Contractor(const Mesh& mesh, std::span<const std::span<const Vec3f>> frames, const ContractOptions& options,
-                       GoOnFunction go_on)
+                       GoOnFunction go_on, const ChangeQuadricsFunction& change_quadrics)
     : options_(options), go_on_(std::move(go_on)), frame_count_(frames.size()), minima_(frames.size()) {
   assert(!frames.empty());
   SpatialMesh placed = in_spatial_order(mesh, frames[0]);
@@ -51,7 +51,8 @@ Contractor::Contractor(const Mesh& mesh, std::span<const std::span<const Vec3f>>
   }
   positions_.resize(quadric_count);
   std::vector<Vec3d> unit(order_.size());
-  std::vector<Quadric> of_one_frame(frame_count_ > 1 ? order_.size() : 0);
+  const bool is_direct = frame_count_ == 1 && !change_quadrics;
+  std::vector<Quadric> of_one_frame(is_direct ? 0 : order_.size()), changed(change_quadrics ? order_.size() : 0);
   for (std::size_t f = 0; f < frame_count_; ++f) {
     if (!goes_on(kStepsUnasked)) return;
     assert(frames[f].size() == order_.size());
@@ -61,10 +62,15 @@ Contractor::Contractor(const Mesh& mesh, std::span<const std::span<const Vec3f>>
       unit[i] = normalizations_[f].to_unit(frames[f][order_[i]]);
       positions_[i * frame_count_ + f] = static_cast<Vec3f>(unit[i]);
     }
-    if (frame_count_ == 1) {
+    if (is_direct) {
       vertex_quadrics.compute(unit, quadrics_);
     } else {
       vertex_quadrics.compute(unit, of_one_frame);
+      if (change_quadrics) {
+        for (Index i = 0; i < order_.size(); ++i) changed[order_[i]] = of_one_frame[i];
+        change_quadrics(f, changed);
+        for (Index i = 0; i < order_.size(); ++i) of_one_frame[i] = changed[order_[i]];
+      }
       for (Index i = 0; i < order_.size(); ++i) quadrics_[i * frame_count_ + f] = of_one_frame[i];
     }
   }
@@ -82,10 +88,13 @@ bool Contractor::goes_on(Index steps) {
 
 float Contractor::cost(Index edge) const {
   const auto [u, v] = surface_.ends(edge);
-  double sum = 0;
-  for (std::size_t f = 0; f < frame_count_; ++f)
-    sum += minimum(quadrics_[u * frame_count_ + f] + quadrics_[v * frame_count_ + f]).value;
-  return static_cast<float>(sum);
+  const bool is_sum = options_.frame_cost == FrameCost::kSum;
+  double total = 0;
+  for (std::size_t f = 0; f < frame_count_; ++f) {
+    const double value = minimum(quadrics_[u * frame_count_ + f] + quadrics_[v * frame_count_ + f]).value;
+    total = is_sum ? total + value : std::max(total, value);
+  }
+  return static_cast<float>(total);
 }
 
 void Contractor::enqueue(Index edge) {

@@ -24,25 +24,37 @@ enum class Topology {
   kFree,      // holes may close, necks and fins may collapse; components are never joined
 };
 
+// How the costs of an edge in several frames become one.
+enum class FrameCost {
+  kSum,      // Mohr & Gleicher 2003
+  kLargest,  // Kircher & Garland 2005, section 6
+};
+
 struct ContractOptions {
   Topology topology = Topology::kPreserve;
   QuadricOptions quadrics;
   // A contraction is put off while it would turn the normal of a triangle beyond the angle with this cosine, -1 to 1.
   double fold_over_cosine = 0.2;
+  FrameCost frame_cost = FrameCost::kSum;
 };
 
 // Asked now and then by what takes long; false: stop. Quick, and without an effect on the result.
 using GoOnFunction = std::function<bool()>;
 
-// Contracts edges, cheapest first, and can be asked for smaller and smaller vertex counts. The cost of an edge is the
-// sum over the frames of the smallest value of the sum of its ends' quadrics, each frame with a minimum of its own.
-// Isolated vertices stay and do not count.
+// Changes the quadrics of the vertices in a frame, [mesh.vertex_count], before anything is contracted. They are given
+// in coordinates normalized by the frame's normalization() with the scale of the first frame's, must stay positive
+// definite (see base/quadric.h), and may be replaced altogether.
+using ChangeQuadricsFunction = std::function<void(std::size_t frame, std::span<Quadric> quadrics)>;
+
+// Contracts edges, cheapest first, and can be asked for smaller and smaller vertex counts. The cost of an edge in a
+// frame is the smallest value of the sum of its ends' quadrics, each frame with a minimum of its own; its cost is the
+// sum over the frames, or what options.frame_cost says. Isolated vertices stay and do not count.
 class Contractor {
  public:
   // frames: at least one; each [mesh.vertex_count], finite. Neither need live on. go_on is asked here and in
   // contract_to(): before each pass over the mesh, of which a frame takes one, and about every thousand edges.
   Contractor(const Mesh& mesh, std::span<const std::span<const Vec3f>> frames, const ContractOptions& options,
-             GoOnFunction go_on = {});
+             GoOnFunction go_on = {}, const ChangeQuadricsFunction& change_quadrics = {});
 
   // Contracts until at most `target` vertices are left that are not isolated, or no legal contraction remains; gives
   // the number left. Contractions put off by the fold-over check are made when nothing else is left.
