@@ -12,5 +12,6 @@ std::unique_ptr<Method> make_direct(const MethodOptions& options);
 std::unique_ptr<Method> make_improved(const MethodOptions& options);
 std::unique_ptr<Method> make_first_frame(const MethodOptions& options);
 std::unique_ptr<Method> make_multilevel(const MethodOptions& options);
+std::unique_ptr<Method> make_feature(const MethodOptions& options);
 
 }  // namespace limber::eval

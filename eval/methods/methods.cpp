@@ -14,6 +14,8 @@ constexpr MethodInfo kMethods[] = {
      make_first_frame},
     {"multilevel", "a hierarchy that follows the clip by swaps, cut at the size asked for", false, Sees::kBase,
      make_multilevel},
+    {"feature", "one sequence of contractions for all frames, the last of them chosen in each frame (Zhang & Wu)",
+     false, Sees::kMany, make_feature},
 };
 
 }  // namespace
