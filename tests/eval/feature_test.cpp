@@ -15,15 +15,17 @@ namespace {
 
 class Feature : public testing::Test {
  protected:
-  Feature() {
+  // Made once: a sample takes longer than what is done with it.
+  static void SetUpTestSuite() {
     const auto reader = open_clip("sample:gallop?vertices=1500&frames=8", {});
     mesh_ = (*reader)->mesh();
     std::vector<Vec3f> positions(mesh_.vertex_count);
+    frames_.clear();
     while (*(*reader)->read(positions)) frames_.push_back(positions);
     seen_.assign(frames_.begin(), frames_.end());
   }
 
-  std::vector<Approximation> run(const FeatureOptions& feature, Index vertices = 200) const {
+  static std::vector<Approximation> run(const FeatureOptions& feature, Index vertices = 200) {
     const auto method = find_method("feature")->create({.vertices = vertices, .feature = feature});
     method->begin(mesh_, seen_);
     std::vector<Approximation> all(frames_.size());
@@ -31,7 +33,7 @@ class Feature : public testing::Test {
     return all;
   }
 
-  UnifiedMesh unified(const FeatureOptions& feature) const {
+  static UnifiedMesh unified(const FeatureOptions& feature) {
     const MethodOptions options{.vertices = 200, .feature = feature};
     FeatureQuadrics quadrics(mesh_, seen_.front(), seen_.back(), options);
     return contract_unified(mesh_, seen_, quadrics, options);
@@ -48,9 +50,9 @@ class Feature : public testing::Test {
     return sum / static_cast<double>(all.size() - 1);
   }
 
-  Mesh mesh_;
-  std::vector<std::vector<Vec3f>> frames_;
-  std::vector<std::span<const Vec3f>> seen_;
+  inline static Mesh mesh_;
+  inline static std::vector<std::vector<Vec3f>> frames_;
+  inline static std::vector<std::span<const Vec3f>> seen_;
 };
 
 TEST_F(Feature, EveryFrameGoesOnFromTheUnifiedMesh) {
