@@ -23,6 +23,30 @@ void declare_size(CLI::App& app, MethodArgument& argument) {
   app.add_option("--ratio", argument.ratio, "the share of the vertices that is kept, as in 0.1")->type_name("SHARE");
 }
 
+void declare_feature(CLI::App& app, eval::FeatureOptions& options) {
+  const std::string group = "FEATURE";
+  app.add_option("--k1", options.deformation, "how much edges are spared whose cost changes over the frames")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--k2", options.feature, "how much border, sharp and complex edges are spared")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--sharp-angle", options.sharp_angle, "an edge is sharp below so many degrees between its triangles")
+      ->check(CLI::Range(0.0, 180.0))
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--unified", options.unified_share, "the share of the contractions that all frames have in common")
+      ->type_name("SHARE")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str()
+      ->group(group);
+  app.add_flag("--literal", options.literal, "the formulas as the paper prints them")->group(group);
+  app.add_flag("--memory,!--no-memory", options.memory, "a frame prefers the contractions of the one before (default)")
+      ->group(group);
+}
+
 void check_size(const MethodArgument& argument) {
   switch (argument.vertices.has_value() + argument.triangles.has_value() + argument.ratio.has_value()) {
     case 0:
@@ -80,6 +104,7 @@ void declare_method(CLI::App& app, MethodArgument& argument) {
   app.add_option("--growth", options.growth, "exponent of the error over the level size; fitted where not given")
       ->check(CLI::Range(0.0, 10.0))
       ->group(group);
+  declare_feature(app, options.feature);
 }
 
 std::vector<const eval::MethodInfo*> chosen_methods(const MethodArgument& argument) {

@@ -18,5 +18,6 @@ std::unique_ptr<Method> make_pose_independent(const MethodOptions& options);
 std::unique_ptr<Method> make_deformation_oriented(const MethodOptions& options);
 std::unique_ptr<Method> make_best_cut(const MethodOptions& options);
 std::unique_ptr<Method> make_multilevel(const MethodOptions& options);
+std::unique_ptr<Method> make_feature(const MethodOptions& options);
 
 }  // namespace limber::eval

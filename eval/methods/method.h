@@ -2,6 +2,7 @@
 // Simplification methods under one signature, so that they can be measured side by side on the same clip.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <span>
@@ -13,6 +14,16 @@
 #include "limber/contract/contract.h"
 
 namespace limber::eval {
+
+// Of Zhang & Wu's method (feature.cpp).
+struct FeatureOptions {
+  double deformation = 0.5;     // k1: how much edges are spared whose cost changes over the frames, >= 0; the paper's 1
+  double feature = 1;           // k2: how much border, sharp and complex edges are spared, >= 0; the paper's 0 to 1
+  double sharp_angle = 60;      // an edge is sharp where its triangles meet at less than so many degrees, 0 to 180
+  double unified_share = 0.96;  // P: the share of the contractions that all frames have in common, 0 to 1
+  bool literal = false;         // the formulas as printed; see feature_weight.h and feature_quadrics.h
+  bool memory = true;           // a frame's own contractions prefer the clusters of the frame before
+};
 
 struct MethodOptions {
   // How large an approximation may be; one of the two, > 0, the other 0. Isolated vertices do not count.
@@ -27,6 +38,8 @@ struct MethodOptions {
   std::optional<double> growth{};
   double coarser_weight = 0.2;
   double threshold = 0.05;
+
+  FeatureOptions feature{};
 };
 
 // One frame's result. The caller's object, used again for each frame.
@@ -36,6 +49,7 @@ struct Approximation {
   std::vector<Index> nodes;      // [positions.size()]: the id of each vertex, the same in every frame
   std::vector<Index> clusters;   // [vertex_count of the clip]: vertices with the same number share a cluster;
                                  // numbers are below the clip's node count, whatever the method's nodes are
+  std::size_t choice_bytes = 0;  // what the frame's own choices of connectivity take when stored; 0: not known
   double adapt_seconds = 0;      // processor time of deciding what the frame is made of ...
   double extract_seconds = 0;    // ... and of listing its vertices and triangles
 };

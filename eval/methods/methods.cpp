@@ -23,6 +23,8 @@ constexpr MethodInfo kMethods[] = {
     {"best-cut", "one hierarchy, cut anew in every frame by the frame's own errors", false, Sees::kMany, make_best_cut},
     {"multilevel", "a hierarchy that follows the clip by swaps, cut at the size asked for", false, Sees::kBase,
      make_multilevel},
+    {"feature", "one sequence of contractions for all frames, the last of them chosen in each frame (Zhang & Wu)",
+     false, Sees::kMany, make_feature},
 };
 
 }  // namespace

@@ -28,6 +28,8 @@ class Surface {
   bool is_alive(Index edge) const { return edges_[edge].ends[0] != kNone; }
   // Precondition: the edge is alive.
   const std::array<Index, 2>& ends(Index edge) const { return edges_[edge].ends; }
+  // Its living triangles: 1 on a border, 2 inside, more where the surface is not manifold. Precondition: as ends().
+  Index triangle_count(Index edge) const { return edges_[edge].triangle_count; }
   const Triangle& triangle(Index t) const { return triangles_[t]; }
 
   // Vertices that have an edge or had one: what contraction can make fewer.
