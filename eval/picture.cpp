@@ -113,7 +113,10 @@ Photographer::Photographer(const PictureOptions& options, const Camera& camera) 
   assert(options.width >= 1 && options.height >= 1);
 }
 
-double Photographer::wire_width() const { return std::max(0.7, 0.0011 * std::min(options_.width, options_.height)); }
+double Photographer::wire_width() const {
+  return options_.wire_width > 0 ? options_.wire_width
+                                 : std::max(0.7, 0.0011 * std::min(options_.width, options_.height));
+}
 
 RenderOptions Photographer::render_options() const {
   RenderOptions render;

@@ -44,6 +44,7 @@ struct PictureOptions {
   UpAxis up = UpAxis::kY;
   Shading shading = Shading::kSmooth;
   bool wireframe = false;
+  double wire_width = 0;              // pixels; 0: to suit the size of the picture
   bool error_colors = false;          // the distance to the original, in percent of its diagonal
   std::optional<double> error_range;  // where the colours end, in percent; nothing: to suit the first picture
   bool side_by_side = false;          // original | level | level with wireframe | error colours where asked for

@@ -249,15 +249,16 @@ Result<Exit> compare_verb(Arguments arguments, Console& console) {
 
   const Mesh& mesh = work->clip->mesh();
   const std::size_t method_count = work->methods.size();
-  progress.start("pictures");
+  progress.start("rendering");
   Result<eval::PictureSet> pictures = take_report_pictures(
       mesh, compared->kept, compared->places, chosen_places(compared->places, method_count, kCloseUps),
       {.view = arguments.picture.options.view,
        .up = arguments.picture.options.up,
        .error_range = eval::report_error_range(compared->places, method_count)},
       [&](std::size_t done, std::size_t all) {
-        if (done == 1) progress.start("pictures", all);
-        return progress.update(done);
+        const std::size_t per_frame = method_count + 1;
+        if (done == 1) progress.start("rendering", all / per_frame);
+        return progress.update(done / per_frame);
       });
   if (!pictures && pictures.error().code == ErrorCode::kCancelled) return interruption();
   if (!pictures) return pictures.error();

@@ -29,7 +29,7 @@ Axis value_axis(const FrameChart& chart) {
       low = std::min(low, value), high = std::max(high, value);
     }
   }
-  return chart.logarithmic ? logarithmic_axis(low, high) : linear_axis(0, high);
+  return chart.logarithmic ? logarithmic_axis(low, high) : linear_axis(0, high, 6);
 }
 
 std::string path_of(const Series& series, const FrameChart& chart, const Plot& plot) {

@@ -97,7 +97,7 @@ std::string error_section(const Report& report) {
 
 std::string trade_off_section(const Report& report) {
   TradeOff chart{.name = "Error over change",
-                 .x_title = "triangles that change per frame, % (square root scale)",
+                 .x_title = "triangles changed per frame, %",
                  .y_title = fmt::format("RMS, \xc3\x97 {}", first_name(report)),
                  .points = {}};
   for (std::size_t m = 0; m < report.comparison.contenders().size(); ++m) {
@@ -113,7 +113,8 @@ std::string trade_off_section(const Report& report) {
       "<figcaption><b>Figure 2.</b> What a method pays for its error. To the left are those whose triangles stay, so "
       "that "
       "textures, normals and the eye stay with them; below are those nearest to the original. The lower left corner is "
-      "where one would like to be. The dotted line is {}; rings are methods whose lines are broken "
+      "where one would like to be. Small shares are spread (a square root scale). The dotted line is {}; rings are "
+      "methods whose lines are broken "
       "elsewhere.</figcaption>"
       "</figure>\n</section>\n",
       escaped(first_name(report)));

@@ -7,24 +7,55 @@
 
 #include "eval/png.h"
 #include "eval/report/words.h"
+#include "limber/base/portable_math.h"
 
 namespace limber::eval {
 namespace {
 
 // With twice as many pictures each is smaller, so that the page stays within its ten megabytes.
-constexpr double kAllPixels = 9.0e6;
+constexpr double kAllPixels = 6.5e6;
 constexpr double kAspect = 1.25;
+constexpr double kWireWidth = 1.3;       // the page shows pictures at about half their size
 constexpr double kCloseUpRadius = 0.07;  // of the diagonal: half the height of the picture
 
 int picture_width(std::size_t picture_count) {
   const double area = kAllPixels / static_cast<double>(std::max<std::size_t>(picture_count, 1));
-  return static_cast<int>(std::clamp(std::sqrt(area * kAspect), 240.0, 560.0));
+  return static_cast<int>(std::clamp(std::sqrt(area * kAspect), 240.0, 440.0));
 }
 
 Result<std::string> png_text(const Image& image) {
   const Result<std::vector<std::byte>> bytes = encode_png(image);
   if (!bytes) return bytes.error();
   return base64(*bytes);
+}
+
+Vec3d up_vector(UpAxis up) { return up == UpAxis::kY ? Vec3d{0, 1, 0} : Vec3d{0, 0, 1}; }
+
+// Nearer than the box around the surface allows: small pictures need all of their room.
+Camera fitted_camera(const Surface& surface, const PictureOptions& options) {
+  constexpr int kRound = 3;  // turning the camera towards the middle moves the outline a little
+  constexpr double kFilled = 0.94;
+  const Box box = bounding_box(surface);
+  Camera camera = frame_camera(box, direction_to_eye(options.view, options.up), kAspect, {.up = up_vector(options.up)});
+  for (int round = 0; round < kRound; ++round) {
+    const Projection projection(camera, options.width, options.height);
+    double low_x = options.width, high_x = 0, low_y = options.height, high_y = 0;
+    for (const Triangle& triangle : surface.triangles) {
+      for (const Index vertex : triangle) {
+        const ScreenPoint p = projection.project(Vec3d(surface.positions[vertex]));
+        if (!(p.w > 0)) continue;
+        low_x = std::min(low_x, p.x / p.w), high_x = std::max(high_x, p.x / p.w);
+        low_y = std::min(low_y, p.y / p.w), high_y = std::max(high_y, p.y / p.w);
+      }
+    }
+    const double used = std::max((high_x - low_x) / options.width, (high_y - low_y) / options.height);
+    if (!(used > 0.01)) return camera;
+    const Vec3d middle = projection.ray((low_x + high_x) / 2, (low_y + high_y) / 2);
+    camera.target = camera.eye + middle * length(camera.target - camera.eye);
+    const double half = std::tan(camera.fov_degrees * kPi / 360) * used / kFilled;
+    camera.fov_degrees = std::min(std::atan(half) * 360 / kPi, 60.0);
+  }
+  return camera;
 }
 
 // Without what stands between the eye and the place.
@@ -57,13 +88,12 @@ struct Studio {
   Result<PictureRow> whole(const KeptFrame& kept) {
     PictureRow row{.frame = kept.frame, .width = options.width, .height = options.height, .pictures = {}};
     const Surface original{mesh.triangles, kept.original};
-    PictureBounds bounds;
-    bounds.add(original, options.up);
+    const Camera camera = fitted_camera(original, options);
     PictureOptions plain = options;
     plain.error_colors = plain.wireframe = false;
     plain.shading = Shading::kSmooth;
-    if (Result<void> added = add(row, Photographer(plain, bounds).take(original, {})); !added) return added.error();
-    Photographer photographer(options, bounds);
+    if (Result<void> added = add(row, Photographer(plain, camera).take(original, {})); !added) return added.error();
+    Photographer photographer(options, camera);
     for (const KeptFrame::Made& made : kept.made) {
       if (Result<void> added = add(row, photographer.take(made, original)); !added) return added.error();
     }
@@ -79,7 +109,7 @@ struct Studio {
     if (!(length(to_eye) > 0.1)) to_eye = direction_to_eye(options.view, options.up);
     to_eye = to_eye * (1 / length(to_eye));
     camera.target = place.point;
-    camera.up = options.up == UpAxis::kY ? Vec3d{0, 1, 0} : Vec3d{0, 0, 1};
+    camera.up = up_vector(options.up);
     camera.eye = place.point + to_eye * (radius / 0.21256);  // the tangent of half the field of view
     PictureOptions plain = options;
     plain.error_colors = plain.wireframe = false;
@@ -133,6 +163,7 @@ Result<PictureSet> take_report_pictures(const Mesh& mesh, const KeptFrames& kept
   studio.options.view = options.view;
   studio.options.up = options.up;
   studio.options.shading = Shading::kFlat;
+  studio.options.wire_width = kWireWidth;
   studio.options.wireframe = studio.options.error_colors = true;
   studio.options.error_range = options.error_range;
   studio.options.color_bar = false;

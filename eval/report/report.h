@@ -45,7 +45,7 @@ struct Report {
   PictureSet pictures;
 };
 
-// Where the colours and histograms of a report shall end, in percent of the diagonal: a round number that 95 of 100
+// Where the colours and histograms of a report shall end, in percent of the diagonal: a round number that 99 of 100
 // distances of the method in the middle do not exceed.
 double report_error_range(const WorstPlaces& places, std::size_t method_count);
 

@@ -62,7 +62,7 @@ Json close_ups_json(const Report& report) {
 
 double report_error_range(const WorstPlaces& places, std::size_t method_count) {
   std::vector<double> ends;
-  for (std::size_t m = 0; m < method_count; ++m) ends.push_back(places.distribution(m).percentile(0.95));
+  for (std::size_t m = 0; m < method_count; ++m) ends.push_back(places.distribution(m).percentile(0.99));
   const auto middle = ends.begin() + static_cast<std::ptrdiff_t>((ends.size() - 1) / 2);
   std::nth_element(ends.begin(), middle, ends.end());
   if (!(*middle > 1e-6)) return 1e-4;

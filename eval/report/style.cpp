@@ -18,7 +18,7 @@ std::string_view report_style() {
   --m7: #7a7a00; } }
 * { box-sizing: border-box; }
 html { -webkit-text-size-adjust: 100%; }
-body { margin: 0 auto; padding: 56px 24px 96px; max-width: 1028px; background: var(--page); color: var(--ink);
+body { margin: 0 auto; padding: 56px 24px 96px; max-width: 1128px; background: var(--page); color: var(--ink);
   font: 15px/1.55 system-ui, "Helvetica Neue", Arial, sans-serif; print-color-adjust: exact;
   -webkit-print-color-adjust: exact; }
 h1 { font-size: 28px; line-height: 1.2; font-weight: 600; margin: 0 0 8px; letter-spacing: -0.01em; overflow-wrap: anywhere; }
@@ -35,7 +35,7 @@ pre { margin: 8px 0 16px; padding: 12px 14px; background: var(--card); border: 1
   overflow-wrap: anywhere; }
 .scroll { overflow-x: auto; margin: 20px 0 0; }
 table { border-collapse: collapse; width: 100%; font-size: 13px; line-height: 1.35; font-variant-numeric: tabular-nums lining-nums; }
-th, td { padding: 5px 0 5px 10px; text-align: right; white-space: nowrap; font-weight: 400; vertical-align: baseline; }
+th, td { padding: 5px 0 5px 8px; text-align: right; white-space: nowrap; font-weight: 400; vertical-align: baseline; }
 thead th { vertical-align: bottom; font-weight: 600; border-top: 1.5px solid var(--ink); border-bottom: 1px solid var(--ink); }
 thead th span { display: block; font-weight: 400; color: var(--quiet); }
 tbody tr + tr > * { border-top: 1px solid var(--faint); }
@@ -48,6 +48,7 @@ td.best { font-weight: 700; }
 .facts-table th { color: var(--quiet); padding-right: 12px; white-space: normal; vertical-align: top; }
 .facts-table td { text-align: left; white-space: normal; overflow-wrap: anywhere; }
 .facts-table tr:first-child > * { border-top: 1.5px solid var(--ink); }
+figure svg { width: 100%; }
 svg { display: block; max-width: 100%; height: auto; overflow: visible; }
 svg text { font: 13px system-ui, "Helvetica Neue", Arial, sans-serif; fill: var(--quiet); font-variant-numeric: tabular-nums; }
 svg .title { fill: var(--ink); }
@@ -68,15 +69,15 @@ svg path { fill: none; }
 .marked { stroke: var(--ink); stroke-width: 1; stroke-dasharray: 3 2; }
 .hover rect { fill: transparent; }
 .hover rect:hover { fill: var(--ink); opacity: 0.08; }
-.swatch { display: inline-block; vertical-align: baseline; margin-right: 7px; }
+.swatch, figure .swatch { display: inline-block; width: 22px; flex: none; vertical-align: baseline; margin-right: 7px; }
 .c0 { --c: var(--m0); } .c1 { --c: var(--m1); } .c2 { --c: var(--m2); } .c3 { --c: var(--m3); } .c4 { --c: var(--m4); }
 .c5 { --c: var(--m5); } .c6 { --c: var(--m6); } .c7 { --c: var(--m7); }
 .narrow { display: none; }
 .key { list-style: none; padding: 0; margin: 8px 0 0; display: flex; flex-wrap: wrap; gap: 2px 16px; font-size: 13px; }
 .small { display: grid; grid-template-columns: repeat(auto-fill, minmax(220px, 1fr)); gap: 20px 24px; margin-top: 16px; }
-.small h3 { margin: 0 0 4px; }
-.tiles { display: grid; grid-template-columns: repeat(auto-fill, minmax(150px, 1fr)); gap: 12px 10px; }
-.tiles figure { margin: 0; }
+.small h3 { margin: 0 0 8px; } .small h3 span { display: block; font-size: 13px; padding-left: 29px; }
+.tiles { display: grid; grid-template-columns: repeat(auto-fit, minmax(150px, 1fr)); gap: 12px 10px; }
+.tiles figure { margin: 0; max-width: 300px; }
 .tiles img { display: block; width: 100%; height: auto; background: var(--card); }
 .tiles figcaption { margin-top: 4px; line-height: 1.35; font-variant-numeric: tabular-nums; }
 .tiles figcaption b { display: block; }
@@ -86,7 +87,7 @@ svg path { fill: none; }
 .ramp i { display: block; width: 220px; height: 10px; flex: 0 1 auto; }
 @media (max-width: 860px) {
   body { padding: 28px 16px 56px; } h1 { font-size: 24px; } h2 { margin-top: 48px; }
-  .tiles { grid-template-columns: repeat(auto-fill, minmax(140px, 1fr)); }
+  .tiles { grid-template-columns: repeat(auto-fill, minmax(130px, 1fr)); }
 }
 @media screen and (max-width: 860px) { .wide { display: none; } .narrow { display: block; } .narrow > svg { max-width: 520px;
   width: 100%; } }
@@ -97,7 +98,7 @@ svg path { fill: none; }
   figure, tr, .tiles figure { break-inside: avoid; }
   figure.pictures { break-inside: auto; }
   .scroll { overflow: visible; } table, figcaption, .note, code, pre { font-size: 7.6pt; } th, td { padding-left: 5px; }
-  .tiles { grid-template-columns: repeat(6, 1fr); gap: 6px; } .tiles figcaption { font-size: 7pt; }
+  .tiles { grid-template-columns: repeat(auto-fit, minmax(26mm, 1fr)); gap: 6px; } .tiles figcaption { font-size: 7pt; }
   .small { grid-template-columns: repeat(3, 1fr); }
 }
 )css";

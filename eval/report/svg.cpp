@@ -47,7 +47,7 @@ std::string draw_axes(const Plot& plot, bool x_is_share) {
   for (const double tick : plot.x.ticks) {
     const double x = plot.x_at(tick);
     svg += fmt::format("<path class=\"tick\" d=\"M{:.1f} {:.1f}v4\"/>", x, plot.bottom);
-    const std::string label = x_is_share ? number(100 * tick, tick >= 1 ? 3 : 2) : tick_label(plot.x, tick);
+    const std::string label = x_is_share ? number(100 * tick, 1) : tick_label(plot.x, tick);
     const double half = 3.6 * static_cast<double>(label.size());
     if (x - half < free_from) continue;
     free_from = x + half + 4;

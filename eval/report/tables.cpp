@@ -54,7 +54,7 @@ std::vector<Column> summary_columns(const Comparison& comparison) {
       {"changed", "% per frame"},
       {"QEM", "diag.\xe2\x81\xb4"},
       {"inverted", "per frame"},
-      {"angles", "mean least, \xc2\xb0", Better::kMore},
+      {"angles", "least, \xc2\xb0", Better::kMore},
       {"adapt", "ms"},
       {"list", "ms"},
       {"begin", "s"},
