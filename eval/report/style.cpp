@@ -8,13 +8,13 @@ namespace limber::eval {
 std::string_view report_style() {
   return R"css(
 :root { color-scheme: light dark; --page: #fff; --ink: #1c1c1a; --quiet: #64645e; --rule: #d9d9d2; --faint: #ecece7;
-  --card: #f6f6f3; --m0: #1c1c1a; --m1: #0067a8; --m2: #c84a00; --m3: #00805c; --m4: #a8457f; --m5: #a87400; --m6: #2b93c9;
+  --card: #f6f6f3; --mat: #f6f6f3; --m0: #1c1c1a; --m1: #0067a8; --m2: #c84a00; --m3: #00805c; --m4: #a8457f; --m5: #a87400; --m6: #2b93c9;
   --m7: #7a7a00; }
 @media (prefers-color-scheme: dark) { :root { --page: #131315; --ink: #e9e9e4; --quiet: #a0a09a; --rule: #38383c;
-  --faint: #232327; --card: #1c1c1f; --m0: #f0f0ea; --m1: #4ea8e6; --m2: #ff7f3f; --m3: #2fc294; --m4: #e08fbf;
+  --faint: #232327; --card: #1c1c1f; --mat: #cfcfca; --m0: #f0f0ea; --m1: #4ea8e6; --m2: #ff7f3f; --m3: #2fc294; --m4: #e08fbf;
   --m5: #e8ad2e; --m6: #8fd0f5; --m7: #c9c94a; } }
 @media print { :root { color-scheme: light; --page: #fff; --ink: #000; --quiet: #444; --rule: #bbb; --faint: #e4e4e0;
-  --card: #fff; --m0: #1c1c1a; --m1: #0067a8; --m2: #c84a00; --m3: #00805c; --m4: #a8457f; --m5: #a87400; --m6: #2b93c9;
+  --card: #fff; --mat: #fff; --m0: #1c1c1a; --m1: #0067a8; --m2: #c84a00; --m3: #00805c; --m4: #a8457f; --m5: #a87400; --m6: #2b93c9;
   --m7: #7a7a00; } }
 * { box-sizing: border-box; }
 html { -webkit-text-size-adjust: 100%; }
@@ -78,7 +78,7 @@ svg path { fill: none; }
 .small h3 { margin: 0 0 8px; } .small h3 span { display: block; font-size: 13px; padding-left: 29px; }
 .tiles { display: grid; grid-template-columns: repeat(auto-fit, minmax(150px, 1fr)); gap: 12px 10px; }
 .tiles figure { margin: 0; max-width: 300px; }
-.tiles img { display: block; width: 100%; height: auto; background: var(--card); }
+.tiles img { display: block; width: 100%; height: auto; background: var(--mat); }
 .tiles figcaption { margin-top: 4px; line-height: 1.35; font-variant-numeric: tabular-nums; }
 .tiles figcaption b { display: block; }
 .tiles .blamed img { outline: 2px solid var(--c); }
@@ -94,12 +94,13 @@ svg path { fill: none; }
 @media print {
   @page { margin: 14mm; }
   body { padding: 0; max-width: none; font-size: 10pt; }
-  h2 { margin-top: 28px; break-after: avoid; } h3 { break-after: avoid; }
-  figure, tr, .tiles figure { break-inside: avoid; }
+  h2 { margin-top: 28px; break-after: avoid; } h3, .ramp { break-after: avoid; }
+  figure, .scroll, .tiles { break-inside: avoid; }
   figure.pictures { break-inside: auto; }
-  .scroll { overflow: visible; } table, figcaption, .note, code, pre { font-size: 7.6pt; } th, td { padding-left: 5px; }
+  .scroll { overflow: visible; } figcaption, .note, code, pre { font-size: 7.6pt; } table { font-size: 6.8pt; }
+  th, td { padding-left: 4px; }
   .tiles { grid-template-columns: repeat(auto-fit, minmax(26mm, 1fr)); gap: 6px; } .tiles figcaption { font-size: 7pt; }
-  .small { grid-template-columns: repeat(3, 1fr); }
+  .small { grid-template-columns: repeat(4, 1fr); gap: 12px; }
 }
 )css";
 }

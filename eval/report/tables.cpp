@@ -31,6 +31,8 @@ double measure_mean(const Contender& contender, const Value& value) {
 
 enum class Better { kLess, kMore, kNeither };
 
+constexpr double kLeastTime = 0.001;  // of ms and s alike: what is shorter is noise
+
 struct Column {
   std::string head;
   std::string unit;
@@ -56,8 +58,8 @@ std::vector<Column> summary_columns(const Comparison& comparison) {
       {"inverted", "per frame"},
       {"angles", "least, \xc2\xb0", Better::kMore},
       {"adapt", "ms"},
-      {"list", "ms"},
-      {"begin", "s"},
+      {"list", "ms", Better::kNeither},
+      {"begin", "s", Better::kNeither},
   };
   for (std::size_t i = 0; i < comparison.contenders().size(); ++i) {
     const Contender& c = comparison.contenders()[i];
@@ -90,6 +92,11 @@ std::optional<double> best_of(const Column& column) {
                                                      : *std::max_element(values.begin(), values.end());
   const auto ties = std::count(values.begin(), values.end(), best);
   return 2 * ties > static_cast<std::ptrdiff_t>(values.size()) ? std::nullopt : std::optional(best);
+}
+
+std::string shown(const Column& column, double value) {
+  const bool is_time = column.unit == "ms" || column.unit == "s";
+  return is_time && value < kLeastTime ? fmt::format("&lt;{}", number(kLeastTime, 1)) : number(value);
 }
 
 std::string method_cell(const Contender& contender, std::size_t place) {
@@ -140,7 +147,7 @@ std::string summary_table(const Comparison& comparison) {
     for (const Column& column : columns) {
       const double value = column.values[i];
       const bool is_best = std::isfinite(value) && best_of(column) == value;
-      html += fmt::format("<td{}>{}</td>", is_best ? " class=\"best\"" : "", number(value));
+      html += fmt::format("<td{}>{}</td>", is_best ? " class=\"best\"" : "", shown(column, value));
     }
     html += "</tr>\n";
   }
