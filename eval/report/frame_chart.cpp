@@ -111,7 +111,7 @@ std::string draw_frame_chart(const FrameChart& chart, Room room) {
   const bool wide = room == Room::kWide;
   std::size_t longest = 0;
   for (const Series& series : chart.series) longest = std::max(longest, series.name.size());
-  Plot plot{.width = wide ? 980.0 : 360.0, .height = wide ? 380.0 : 300.0};
+  Plot plot{.width = wide ? 980.0 : 360.0, .height = wide ? 420.0 : 300.0};
   plot.left = 46;
   plot.right = plot.width - (wide ? 26 + 7.0 * static_cast<double>(longest) : 8);
   plot.top = 26;

@@ -15,10 +15,13 @@ constexpr std::string_view kDashes[] = {"", "7 3", "2 3"};
 
 }  // namespace
 
-std::string MethodMark::color_class() const { return fmt::format("c{}", number % kColorCount); }
+// Only the first method is ink.
+std::string MethodMark::color_class() const {
+  return fmt::format("c{}", number < kColorCount ? number : 1 + (number - 1) % (kColorCount - 1));
+}
 
 std::string_view MethodMark::dashes() const {
-  return kDashes[std::min<std::size_t>(number / kColorCount, std::size(kDashes) - 1)];
+  return kDashes[std::min<std::size_t>(number == 0 ? 0 : (number - 1) / (kColorCount - 1), std::size(kDashes) - 1)];
 }
 
 std::string swatch(MethodMark mark) {

@@ -11,7 +11,7 @@
 
 namespace limber::eval {
 
-// How a method looks wherever it is shown: eight colours, and then the same with broken lines.
+// How a method looks wherever it is shown: eight colours, and then the same but the first with broken lines.
 struct MethodMark {
   std::size_t number = 0;  // its place among the methods of the report
 

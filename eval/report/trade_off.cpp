@@ -20,7 +20,7 @@ std::string draw_trade_off(const TradeOff& chart, Room room) {
     low = std::min(low, point.error), high = std::max(high, point.error);
     longest = std::max(longest, point.name.size());
   }
-  Plot plot{.width = wide ? 980.0 : 360.0, .height = wide ? 420.0 : 340.0};
+  Plot plot{.width = wide ? 980.0 : 360.0, .height = wide ? 480.0 : 400.0};
   plot.left = 46;
   plot.right = plot.width - 24 - 7.0 * static_cast<double>(longest);
   plot.top = 26;
