@@ -12,40 +12,40 @@ namespace limber::eval {
 
 // A method's values, a number per frame or several; what is not finite leaves a gap.
 struct Series {
-  std::string name;
-  MethodMark mark;
-  std::vector<double> values;
+  std::string name{};
+  MethodMark mark{};
+  std::vector<double> values{};
 };
 
 struct FrameChart {
-  std::string name;     // for screen readers
-  std::string y_title;  // what is shown, and its unit
+  std::string name{};     // for screen readers
+  std::string y_title{};  // what is shown, and its unit
   bool logarithmic = false;
   std::uint32_t first_frame = 0;
-  std::vector<Series> series;  // each with a value per frame
+  std::vector<Series> series{};  // each with a value per frame
 };
 
 struct TradeOff {
-  std::string name;
-  std::string x_title, y_title;
+  std::string name{};
+  std::string x_title{}, y_title{};
   struct Point {
-    std::string name;
-    MethodMark mark;
+    std::string name{};
+    MethodMark mark{};
     double share = 0;  // 0 to 1
     double error = 0;
   };
-  std::vector<Point> points;
+  std::vector<Point> points{};
 };
 
 struct Histogram {
-  std::string name;
-  std::string x_title;
-  MethodMark mark;
-  double high = 1;                 // end of the last bar but one; the last holds all beyond
-  double top = 1;                  // of the y axis: a share
-  double marked = 0;               // a value with a line of its own
-  std::vector<double> shares;      // of the bars; sum 1
-  std::vector<double> comparison;  // the same of the first method, as an outline; may be empty
+  std::string name{};
+  std::string x_title{};
+  MethodMark mark{};
+  double high = 1;                   // end of the last bar but one; the last holds all beyond
+  double top = 1;                    // of the y axis: a share
+  double marked = 0;                 // a value with a line of its own
+  std::vector<double> shares{};      // of the bars; sum 1
+  std::vector<double> comparison{};  // the same of the first method, as an outline; may be empty
 };
 
 // How much room a chart has. Wide ones have labels at their lines; narrow ones leave them to a key beside the chart.

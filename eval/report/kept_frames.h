@@ -15,14 +15,14 @@ namespace limber::eval {
 
 struct KeptFrame {
   std::size_t frame = 0;  // counted from 0
-  std::vector<Vec3f> original;
+  std::vector<Vec3f> original{};
   struct Made {
-    std::vector<Triangle> triangles;
-    std::vector<Vec3f> positions;
+    std::vector<Triangle> triangles{};
+    std::vector<Vec3f> positions{};
 
     operator Surface() const { return {triangles, positions}; }
   };
-  std::vector<Made> made;  // [methods]
+  std::vector<Made> made{};  // [methods]
 };
 
 // At most a frame per method and five more are kept at a time, whatever the length of the clip.

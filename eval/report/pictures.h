@@ -20,23 +20,23 @@ namespace limber::eval {
 struct PictureRow {
   std::size_t frame = 0;  // counted from 0
   int width = 0, height = 0;
-  std::vector<std::string> pictures;  // [1 + methods]: PNG in base64; the original first
+  std::vector<std::string> pictures{};  // [1 + methods]: PNG in base64; the original first
 };
 
 struct CloseUp {
   std::size_t method = 0;  // that is worst here
-  WorstPlace place;
-  PictureRow row;
+  WorstPlace place{};
+  PictureRow row{};
 };
 
 struct PictureSet {
-  std::vector<PictureRow> gallery;
-  std::vector<CloseUp> close_ups;
+  std::vector<PictureRow> gallery{};
+  std::vector<CloseUp> close_ups{};
   double error_range = 0;  // where the colours of all pictures end, percent of the diagonal
 };
 
 struct PictureSetOptions {
-  View view;
+  View view{};
   UpAxis up = UpAxis::kY;
   double error_range = 1;
 };

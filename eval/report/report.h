@@ -16,7 +16,7 @@
 namespace limber::eval {
 
 struct ClipFacts {
-  std::string name;  // as it was asked for
+  std::string name{};  // as it was asked for
   Index vertex_count = 0;
   std::size_t triangle_count = 0;
   std::uint32_t first_frame = 0;
@@ -25,24 +25,24 @@ struct ClipFacts {
 
 // What somebody needs to make the report again.
 struct RunFacts {
-  std::string asked;                  // "at most 800 vertices"
-  std::vector<std::string> commands;  // the first is the one that made the report
-  std::string version;                // of limber
-  std::string compiler, processor;
+  std::string asked{};                  // "at most 800 vertices"
+  std::vector<std::string> commands{};  // the first is the one that made the report
+  std::string version{};                // of limber
+  std::string compiler{}, processor{};
   unsigned threads = 1;
-  std::string date;
-  DistanceOptions distance;
+  std::string date{};
+  DistanceOptions distance{};
 };
 
 // Refers to what has been measured.
 struct Report {
   const Comparison& comparison;  // the first contender is what the others are held against; a frame has been added
   const WorstPlaces& places;     // of the same methods and frames
-  ClipFacts clip;
-  RunFacts run;
-  std::vector<StorageRow> storage;
-  std::optional<BuildReport> stream;
-  PictureSet pictures;
+  ClipFacts clip{};
+  RunFacts run{};
+  std::vector<StorageRow> storage{};
+  std::optional<BuildReport> stream{};
+  PictureSet pictures{};
 };
 
 // Where the colours and histograms of a report shall end, in percent of the diagonal: a round number that 99 of 100

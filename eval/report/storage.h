@@ -14,12 +14,12 @@
 namespace limber::eval {
 
 struct StorageRow {
-  std::string what;
-  std::optional<MethodMark> mark;
-  std::string how;                     // what is stored, in words
-  std::optional<double> connectivity;  // bytes per frame, mean
-  std::optional<double> positions;     // likewise
-  double total = 0;                    // bytes of the clip
+  std::string what{};
+  std::optional<MethodMark> mark{};
+  std::string how{};                     // what is stored, in words
+  std::optional<double> connectivity{};  // bytes per frame, mean
+  std::optional<double> positions{};     // likewise
+  double total = 0;                      // bytes of the clip
 };
 
 // The clip as it is, each contender as plain numbers (32-bit indices, once where the triangles never change and per

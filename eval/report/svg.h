@@ -28,7 +28,7 @@ struct Plot {
   double width = 0, height = 0;  // of the drawing
   double left = 0, right = 0, top = 0, bottom = 0;
   Axis x{}, y{};
-  std::string x_title, y_title;
+  std::string x_title{}, y_title{};
 
   double x_at(double value) const { return left + (right - left) * x.place(value); }
   double y_at(double value) const { return bottom - (bottom - top) * y.place(value); }

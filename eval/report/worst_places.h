@@ -16,10 +16,10 @@ namespace limber::eval {
 
 struct WorstPlace {
   std::size_t frame = 0;  // counted from 0
-  Vec3d point;            // on the original, in that frame
-  Vec3d normal;           // of the original there; zero where it has none
+  Vec3d point{};          // on the original, in that frame
+  Vec3d normal{};         // of the original there; zero where it has none
   double loss = 0;  // the sum, over the samples around the point, of the squared distance minus the first method's
-  std::vector<double> rms;  // [methods]: distance of that neighbourhood, percent of the diagonal
+  std::vector<double> rms{};  // [methods]: distance of that neighbourhood, percent of the diagonal
 };
 
 // Looks at samples on the original, uniform by area and fixed on it for the whole clip, and at the distance from each
