@@ -102,14 +102,21 @@ void PictureBounds::add(const Surface& surface, UpAxis up) {
 Photographer::Photographer(const PictureOptions& options, const PictureBounds& bounds) : options_(options) {
   assert(options.width >= 1 && options.height >= 1);
   // The bar that explains the colours stands at the right.
-  const double margin = options.error_colors ? 0.13 : 0.06;
+  const double margin = options.error_colors && options.color_bar ? 0.13 : 0.06;
   camera_ = frame_camera(bounds.box, direction_to_eye(options.view, options.up),
                          static_cast<double>(options.width) / options.height,
                          {.up = up_vector(options.up), .margin = margin});
   if (options.ground && std::isfinite(bounds.lowest)) ground_height_ = bounds.lowest;
 }
 
-double Photographer::wire_width() const { return std::max(0.7, 0.0011 * std::min(options_.width, options_.height)); }
+Photographer::Photographer(const PictureOptions& options, const Camera& camera) : options_(options), camera_(camera) {
+  assert(options.width >= 1 && options.height >= 1);
+}
+
+double Photographer::wire_width() const {
+  return options_.wire_width > 0 ? options_.wire_width
+                                 : std::max(0.7, 0.0011 * std::min(options_.width, options_.height));
+}
 
 RenderOptions Photographer::render_options() const {
   RenderOptions render;
@@ -129,9 +136,10 @@ Image Photographer::shaded(const Surface& surface, bool wireframe) const {
 
 // An approximation touches its original at its vertices, more or less: the distance is shown inside its triangles too.
 Image Photographer::colored(const Surface& level, const Surface& original) {
-  constexpr double kWantedTriangles = 120'000;
+  // In a small picture fewer say as much.
+  const double wanted_triangles = std::clamp(options_.width * options_.height / 9.0, 30'000.0, 120'000.0);
   const auto triangle_count = static_cast<double>(level.triangles.size());
-  const double steps = std::clamp(std::ceil(std::sqrt(kWantedTriangles / triangle_count)), 1.0, 24.0);
+  const double steps = std::clamp(std::ceil(std::sqrt(wanted_triangles / triangle_count)), 1.0, 24.0);
   const Subdivided fine = subdivide(level, vertex_normals(level.triangles, level.positions), static_cast<Index>(steps));
 
   original_tree_.rebuild(original);
@@ -154,6 +162,7 @@ Image Photographer::colored(const Surface& level, const Surface& original) {
   Image image = eval::render(
       {.triangles = fine.triangles, .positions = fine.positions, .normals = fine.normals, .values = values}, camera_,
       render);
+  if (!options_.color_bar) return image;
   const bool dark = options_.background.a > 0 && options_.background.g < 96;
   draw_color_bar(image, {.high = static_cast<float>(*options_.error_range), .title = "distance, % of diagonal"},
                  dark ? kWhite : kInk);

@@ -44,9 +44,11 @@ struct PictureOptions {
   UpAxis up = UpAxis::kY;
   Shading shading = Shading::kSmooth;
   bool wireframe = false;
+  double wire_width = 0;              // pixels; 0: to suit the size of the picture
   bool error_colors = false;          // the distance to the original, in percent of its diagonal
   std::optional<double> error_range;  // where the colours end, in percent; nothing: to suit the first picture
   bool side_by_side = false;          // original | level | level with wireframe | error colours where asked for
+  bool color_bar = true;              // what the error colours mean, at the right
   bool ground = true;                 // a shadow below the subject
   Rgba8 background = kWhite;
 };
@@ -63,6 +65,9 @@ class Photographer {
  public:
   // Precondition: width and height are at least 1.
   Photographer(const PictureOptions& options, const PictureBounds& bounds);
+
+  // The same from another place than options.view says, without a ground.
+  Photographer(const PictureOptions& options, const Camera& camera);
 
   // One picture, or a sheet of them. `original` may be missing where neither error colours nor side by side are asked
   // for. Preconditions: a surface with error colours, and its original, have a triangle.

@@ -48,6 +48,22 @@ void add_flag(CLI::App& app, PictureArgument& argument, const std::string& name,
 
 bool is_picture(std::string_view path) { return lower_case_extension(path) == ".png"; }
 
+void declare_view(CLI::App& app, PictureArgument& argument) {
+  eval::PictureOptions& options = argument.options;
+  add_text(app, argument, "--view",
+           "front, back, left, right, side, top, three-quarter, or degrees around and above, as in 40,14", "VIEW",
+           "no view; give a name, or two numbers of degrees as in 40,14", [&](const std::string& text) {
+             const std::optional<eval::View> view = eval::parse_view(text);
+             if (view) options.view = *view;
+             return view.has_value();
+           });
+  add_text(app, argument, "--up", "the axis that points up: y or z (y)", "AXIS", "neither y nor z",
+           [&](const std::string& text) {
+             options.up = text == "z" ? eval::UpAxis::kZ : eval::UpAxis::kY;
+             return text == "y" || text == "z";
+           });
+}
+
 void declare_picture(CLI::App& app, PictureArgument& argument) {
   eval::PictureOptions& options = argument.options;
   add_flag(app, argument, "--wireframe", "with the edges of the triangles", [&] { options.wireframe = true; });
@@ -72,18 +88,7 @@ void declare_picture(CLI::App& app, PictureArgument& argument) {
   add_text(app, argument, "--size", "of the picture, or of each of several side by side (1200x900)", "WxH",
            "no size; two numbers from 1 to 16384, as in 1200x900",
            [&](const std::string& text) { return parse_size(text, options.width, options.height); });
-  add_text(app, argument, "--view",
-           "front, back, left, right, side, top, three-quarter, or degrees around and above, as in 40,14", "VIEW",
-           "no view; give a name, or two numbers of degrees as in 40,14", [&](const std::string& text) {
-             const std::optional<eval::View> view = eval::parse_view(text);
-             if (view) options.view = *view;
-             return view.has_value();
-           });
-  add_text(app, argument, "--up", "the axis that points up: y or z (y)", "AXIS", "neither y nor z",
-           [&](const std::string& text) {
-             options.up = text == "z" ? eval::UpAxis::kZ : eval::UpAxis::kY;
-             return text == "y" || text == "z";
-           });
+  declare_view(app, argument);
   add_text(app, argument, "--background", "white, black, transparent, or #rrggbb (white)", "COLOR",
            "no colour; give white, black, transparent, or #rrggbb", [&](const std::string& text) {
              const std::optional<eval::Rgba8> color = eval::parse_color(text);

@@ -27,7 +27,10 @@ struct PictureArgument {
 // Does the name end as that of a picture?
 bool is_picture(std::string_view path);
 
-// --wireframe, --flat, --error-colors and so on, in a group of their own. `argument` must outlive the parsing.
+// --view and --up, which the next has too. `argument` must outlive the parsing of both.
+void declare_view(CLI::App& app, PictureArgument& argument);
+
+// --wireframe, --flat, --error-colors and so on, in a group of their own.
 void declare_picture(CLI::App& app, PictureArgument& argument);
 
 }  // namespace limber::tool

@@ -30,6 +30,10 @@ constexpr Verb kVerbs[] = {
      "limber measure 'horse/%04d.obj' 'out/%04d.obj' --json\n"
      "limber measure 'horse/%04d.obj' horse.limber --vertices 800\n",
      declare_measure},
+    {"compare", "Compare all methods on a clip, in a report to look at",
+     "limber compare 'horse/%04d.obj' --vertices 800 -o report/\n"
+     "limber compare cloth.pc2 --ratio 0.05 --method direct,first-frame,multilevel --view 60,20 -o report/\n",
+     declare_compare},
     {"check", "Test a stream, and every invariant of every frame",
      "limber check horse.limber\n"
      "limber check horse.limber --all --against 'horse/%04d.obj'\n",

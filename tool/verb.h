@@ -30,6 +30,7 @@ std::span<const Verb> verbs();
 
 Action declare_build(CLI::App& app);
 Action declare_check(CLI::App& app);
+Action declare_compare(CLI::App& app);
 Action declare_convert(CLI::App& app);
 Action declare_extract(CLI::App& app);
 Action declare_info(CLI::App& app);

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// The charts of the report as SVG. Colours come from the page's style (style.h); text is text.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "eval/report/svg.h"
+
+namespace limber::eval {
+
+// A method's values, a number per frame or several; what is not finite leaves a gap.
+struct Series {
+  std::string name{};
+  MethodMark mark{};
+  std::vector<double> values{};
+};
+
+struct FrameChart {
+  std::string name{};     // for screen readers
+  std::string y_title{};  // what is shown, and its unit
+  bool logarithmic = false;
+  std::uint32_t first_frame = 0;
+  std::vector<Series> series{};  // each with a value per frame
+};
+
+struct TradeOff {
+  std::string name{};
+  std::string x_title{}, y_title{};
+  struct Point {
+    std::string name{};
+    MethodMark mark{};
+    double share = 0;  // 0 to 1
+    double error = 0;
+  };
+  std::vector<Point> points{};
+};
+
+struct Histogram {
+  std::string name{};
+  std::string x_title{};
+  MethodMark mark{};
+  double high = 1;                   // end of the last bar but one; the last holds all beyond
+  double top = 1;                    // of the y axis: a share
+  double marked = 0;                 // a value with a line of its own
+  std::vector<double> shares{};      // of the bars; sum 1
+  std::vector<double> comparison{};  // the same of the first method, as an outline; may be empty
+};
+
+// How much room a chart has. Wide ones have labels at their lines; narrow ones leave them to a key beside the chart.
+enum class Room { kWide, kNarrow };
+
+// A value per frame as lines, with what all methods have in a frame shown where the pointer rests.
+std::string draw_frame_chart(const FrameChart& chart, Room room);
+
+// Error over change. Points whose values are not finite are left out.
+std::string draw_trade_off(const TradeOff& chart, Room room);
+
+// One of several small ones that share their axes.
+std::string draw_histogram(const Histogram& histogram);
+
+}  // namespace limber::eval

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <gmock/gmock.h>
+
+#include "eval/methods/method.h"
+#include "tests/support/markup.h"
+#include "tests/tool/run.h"
+
+namespace limber::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::UnorderedElementsAre;
+using tool::Exit;
+using CompareVerb = ToolTest;
+
+std::vector<std::string> two_methods(const std::string& output) {
+  return {"compare",    "sample:gallop?vertices=600&frames=3",
+          "--method",   "first-frame,direct",
+          "--vertices", "80",
+          "--samples",  "2000",
+          "-o",         output};
+}
+
+std::vector<std::string> in_folder(const std::string& folder) {
+  std::vector<std::string> found;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) found.push_back(entry.path().filename());
+  return found;
+}
+
+TEST_F(CompareVerb, WritesAPageThatHasEverything) {
+  const Ran ran = run(two_methods(path("a/b/")));
+  ASSERT_EQ(ran.exit, Exit::kDone) << ran.err;
+  EXPECT_THAT(in_folder(path("a/b")), UnorderedElementsAre("index.html", "report.json", "frames.csv"));
+  const std::string page = bytes(path("a/b/index.html"));
+  EXPECT_EQ(markup_fault(page), "");
+  for (const char* const section :
+       {"summary", "rms", "trade-off", "time", "storage", "histograms", "gallery", "close-ups", "made"})
+    EXPECT_THAT(page, HasSubstr(std::string("<section id=\"") + section + "\">"));
+  EXPECT_THAT(page, HasSubstr("limber compare &#39;sample:gallop?vertices=600&amp;frames=3&#39;"));
+  EXPECT_THAT(page, Not(HasSubstr("http")));
+  EXPECT_THAT(page, Not(HasSubstr("<script")));
+  EXPECT_LT(page.size(), 10'000'000u);
+}
+
+TEST_F(CompareVerb, ItsNumbersAreThoseOfSimplify) {
+  std::vector<std::string> arguments = two_methods(path("report"));
+  arguments.push_back("--json");
+  const Ran ran = run(arguments);
+  ASSERT_EQ(ran.exit, Exit::kDone) << ran.err;
+  const auto json = nlohmann::json::parse(bytes(path("report/report.json")));
+  EXPECT_EQ(json["schema"], "limber.compare/1");
+  EXPECT_EQ(ran.json()["methods"], json["methods"]);
+  const auto other = run({"simplify", "sample:gallop?vertices=600&frames=3", "--method", "direct,first-frame",
+                          "--vertices", "80", "--samples", "2000", "--measure", "--json"})
+                         .json();
+  ASSERT_EQ(json["methods"].size(), 2u);
+  for (std::size_t m = 0; m < 2; ++m) {
+    const auto &mine = json["methods"][m], &theirs = other["methods"][m];
+    for (const char* const key : {"method", "rms", "mean", "max", "flicker", "changed", "quadric_error", "vertices"})
+      EXPECT_EQ(mine[key], theirs[key]) << key;
+    ASSERT_EQ(mine["frames"].size(), 3u);
+    EXPECT_EQ(mine["frames"][2]["rms"], theirs["frames"][2]["rms"]);
+  }
+}
+
+TEST_F(CompareVerb, TheTableHasALinePerMethodAndFrame) {
+  ASSERT_EQ(run(two_methods(path("report"))).exit, Exit::kDone);
+  const std::string csv = bytes(path("report/frames.csv"));
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 2 * 3);
+  EXPECT_THAT(csv, HasSubstr("\n0,direct,80,"));
+  std::size_t begin = 0;
+  for (std::size_t end = 0; (end = csv.find('\n', begin)) != std::string::npos; begin = end + 1)
+    EXPECT_EQ(std::count(csv.begin() + static_cast<long>(begin), csv.begin() + static_cast<long>(end), ','), 17);
+}
+
+TEST_F(CompareVerb, TakesEveryMethodWhereNoneIsNamed) {
+  const Ran ran = run({"compare", "sample:gallop?vertices=300&frames=2", "--vertices", "60", "--samples", "500", "-o",
+                       path("report"), "--json"});
+  ASSERT_EQ(ran.exit, Exit::kDone) << ran.err;
+  EXPECT_EQ(ran.json()["methods"].size(), eval::methods().size());
+  EXPECT_EQ(ran.json()["methods"][0]["method"], "direct");
+  EXPECT_THAT(bytes(path("report/index.html")), HasSubstr("limber stream"));
+}
+
+TEST_F(CompareVerb, AnExistingReportStaysWithoutForce) {
+  std::filesystem::create_directory(path("report"));
+  write(path("report/report.json"), "mine");
+  std::vector<std::string> arguments = two_methods(path("report"));
+  const Ran ran = run(arguments);
+  EXPECT_EQ(ran.exit, Exit::kFailure);
+  EXPECT_EQ(in_folder(path("report")), std::vector<std::string>{"report.json"});
+  EXPECT_EQ(bytes(path("report/report.json")), "mine");
+  arguments.push_back("-f");
+  EXPECT_EQ(run(arguments).exit, Exit::kDone);
+  EXPECT_NE(bytes(path("report/report.json")), "mine");
+}
+
+TEST_F(CompareVerb, AFailureLeavesNoFolderBehind) {
+  std::vector<std::string> arguments = two_methods(path("deep/report"));
+  arguments[1] = path("missing/%04d.obj");
+  EXPECT_EQ(run(arguments).exit, Exit::kBadInput);
+  EXPECT_TRUE(names().empty());
+}
+
+TEST_F(CompareVerb, AFileIsNoFolder) {
+  write(path("report"), "mine");
+  EXPECT_EQ(run(two_methods(path("report"))).exit, Exit::kFailure);
+  EXPECT_EQ(bytes(path("report")), "mine");
+}
+
+TEST_F(CompareVerb, ArgumentsThatMakeNoSenseAreRefused) {
+  const auto exit = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"compare", kSample});
+    return run(arguments).exit;
+  };
+  EXPECT_EQ(exit({"--vertices", "80"}), Exit::kUsage);
+  EXPECT_EQ(exit({"-o", path("report")}), Exit::kUsage);
+  EXPECT_EQ(exit({"--vertices", "80", "-o", "-"}), Exit::kUsage);
+  EXPECT_EQ(exit({"--vertices", "80", "--method", "best", "-o", path("report")}), Exit::kUsage);
+  EXPECT_EQ(exit({"--vertices", "80", "--view", "inside", "-o", path("report")}), Exit::kUsage);
+  EXPECT_TRUE(names().empty());
+}
+
+}  // namespace
+}  // namespace limber::test
