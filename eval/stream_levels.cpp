@@ -12,8 +12,7 @@ Error StreamLevels::located(const Error& error) const {
   return {error.code, error.where.empty() ? name_ : name_ + ": " + error.where, error.what};
 }
 
-Result<std::unique_ptr<StreamLevels>> StreamLevels::open(const std::filesystem::path& path,
-                                                         const std::optional<CutOptions>& cut) {
+Result<std::unique_ptr<StreamLevels>> StreamLevels::open(const std::filesystem::path& path) {
   std::unique_ptr<StreamLevels> levels(new StreamLevels(path.string()));
   if (const Result<void> read = read_file(path, levels->bytes_); !read) return read.error();
   const Result<void> opened = levels->player_.open(std::as_bytes(std::span(levels->bytes_)));
@@ -21,9 +20,12 @@ Result<std::unique_ptr<StreamLevels>> StreamLevels::open(const std::filesystem::
   if (levels->available_frames() == 0) {
     return Error{ErrorCode::kTruncated, levels->name_, "ends before its first frame is whole"};
   }
-  levels->cut_.emplace(levels->mesh(), levels->player_.state().hierarchy,
-                       cut.value_or(CutOptions{.by = CutBy::kLevel, .level = 0}));
+  levels->choose(std::nullopt);
   return levels;
+}
+
+void StreamLevels::choose(const std::optional<CutOptions>& cut) {
+  cut_.emplace(mesh(), state().hierarchy, cut.value_or(CutOptions{.by = CutBy::kLevel, .level = 0}));
 }
 
 Result<void> StreamLevels::go_to(std::uint32_t frame) {

@@ -17,10 +17,12 @@ namespace limber::eval {
 
 class StreamLevels {
  public:
-  // Reads the file; the cut will be that of all frames, the finest level where there is none. Errors name the file;
-  // kTruncated where not even one frame is whole.
-  static Result<std::unique_ptr<StreamLevels>> open(const std::filesystem::path& path,
-                                                    const std::optional<CutOptions>& cut);
+  // Reads the file; every frame is cut at the finest level. Errors name the file; kTruncated where not even one frame
+  // is whole.
+  static Result<std::unique_ptr<StreamLevels>> open(const std::filesystem::path& path);
+
+  // How the frames are cut from now on; nothing: at the finest level.
+  void choose(const std::optional<CutOptions>& cut);
 
   const Mesh& mesh() const { return player_.mesh(); }
   const StreamHeader& header() const { return player_.header(); }

@@ -158,9 +158,10 @@ Result<Exit> extract_verb(Arguments arguments, Console& console) {
   check_usage(arguments);
   ClipOptions& options = arguments.stream.options;
   if (arguments.frame) options.first = options.last = arguments.frame;
-  const auto opened = eval::StreamLevels::open(arguments.stream.specification, std::nullopt);
+  auto opened = eval::StreamLevels::open(arguments.stream.specification);
   if (!opened) return opened.error();
-  const Result<Range> range = choose_frames(**opened, arguments.stream);
+  eval::StreamLevels& levels = **opened;
+  const Result<Range> range = choose_frames(levels, arguments.stream);
   if (!range) return range.error();
   const std::string& path = arguments.output.path;
   const bool many = range->size() > 1;
@@ -173,13 +174,12 @@ Result<Exit> extract_verb(Arguments arguments, Console& console) {
         fmt::format("{} is one file for {} frames; choose one with --frame N, or number the files as in "
                     "'%04d{}'",
                     path, range->size(), std::filesystem::path(path).extension().string()));
-  if (const auto promised = (*opened)->frame_count(); promised && *promised > (*opened)->available_frames())
+  if (const auto promised = levels.frame_count(); promised && *promised > levels.available_frames())
     console.warn("{} is cut off: {} of its {} frames are whole", arguments.stream.specification,
-                 (*opened)->available_frames(), *promised);
+                 levels.available_frames(), *promised);
 
   const std::optional<CutOptions> cut = cut_options(arguments.level, !many);
-  auto levels = eval::StreamLevels::open(arguments.stream.specification, cut);
-  if (!levels) return levels.error();
+  levels.choose(cut);
   std::optional<double> error_range;
   const bool pictures = is_picture(path);
   if (pictures) {
@@ -188,7 +188,7 @@ Result<Exit> extract_verb(Arguments arguments, Console& console) {
     error_range = *taken;
   }
   const Result<std::vector<Extracted>> all =
-      extract_levels(**levels, *range, pictures || path.empty() ? nullptr : &arguments.output, console);
+      extract_levels(levels, *range, pictures || path.empty() ? nullptr : &arguments.output, console);
   if (!all) return all.error();
   report(arguments, cut, *all, error_range, console);
   return Exit::kDone;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The children of every node, as linked lists that follow swaps in constant time.
+// The children of every node, as linked lists that follow swaps in constant time. Part of the player.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "limber/hierarchy/hierarchy.h"
@@ -10,33 +11,43 @@ namespace limber {
 
 class ChildLists {
  public:
-  explicit ChildLists(const Hierarchy& hierarchy)
-      : first_child_(hierarchy.node_count(), kNone),
-        next_(hierarchy.node_count(), kNone),
-        previous_(hierarchy.node_count(), kNone) {
+  // No node has a child.
+  explicit ChildLists(Index node_count)
+      : first_child_(node_count, kNone), next_(node_count, kNone), previous_(node_count, kNone) {}
+
+  explicit ChildLists(const Hierarchy& hierarchy) : ChildLists(hierarchy.node_count()) {
     for (Index node = hierarchy.node_count(); node-- > 0;)
-      if (hierarchy.parent[node] != kNone) link(node, hierarchy.parent[node]);
+      if (hierarchy.parent[node] != kNone) add(node, hierarchy.parent[node]);
   }
 
   // kNone for finest vertices and after the last sibling.
   Index first_child(Index node) const { return first_child_[node]; }
   Index next_sibling(Index node) const { return next_[node]; }
 
+  // Precondition: `node` is the child of none.
+  void add(Index node, Index parent) {
+    Index& first = first_child_[parent];
+    next_[node] = first;
+    previous_[node] = kNone;
+    if (first != kNone) previous_[first] = node;
+    first = node;
+  }
+
   // Precondition: `node` is a child of `from`.
   void move(Index node, Index from, Index to) {
     (previous_[node] == kNone ? first_child_[from] : next_[previous_[node]]) = next_[node];
     if (next_[node] != kNone) previous_[next_[node]] = previous_[node];
-    link(node, to);
+    add(node, to);
+  }
+
+  // Again no node has a child.
+  void clear() {
+    std::fill(first_child_.begin(), first_child_.end(), kNone);
+    std::fill(next_.begin(), next_.end(), kNone);
+    std::fill(previous_.begin(), previous_.end(), kNone);
   }
 
  private:
-  void link(Index node, Index parent) {
-    next_[node] = first_child_[parent];
-    previous_[node] = kNone;
-    if (next_[node] != kNone) previous_[next_[node]] = node;
-    first_child_[parent] = node;
-  }
-
   std::vector<Index> first_child_, next_, previous_;  // [node_count]
 };
 

@@ -9,9 +9,7 @@ Clusters::Clusters(std::span<const Index> level_begin, const IndexLists& neighbo
     : level_begin_(level_begin),
       neighbors_(neighbors),
       parent_(level_begin.back(), kNone),
-      first_child_(level_begin.back(), kNone),
-      next_(level_begin.back(), kNone),
-      previous_(level_begin.back(), kNone),
+      children_(level_begin.back()),
       edge_count_(std::size_t{level_begin.back()} + 1, 0),
       found_(std::size_t{level_begin.back()} - level_begin[1] + 2),
       candidates_(level_begin.back() - level_begin[1]),
@@ -27,21 +25,15 @@ void Clusters::forget_changes() { std::fill(changed_.begin(), changed_.end(), st
 
 void Clusters::place(const Swap& swap) {
   parent_[swap.node] = swap.parent;
-  link(swap.node);
+  children_.add(swap.node, swap.parent);
 }
 
 void Clusters::apply(const Swap& swap) {
   const auto [node, to] = swap;
   changed_[parent_[node] - level_begin_[1]] = 1;
   changed_[to - level_begin_[1]] = 1;
-  if (previous_[node] == kNone) {
-    first_child_[parent_[node]] = next_[node];
-  } else {
-    next_[previous_[node]] = next_[node];
-  }
-  if (next_[node] != kNone) previous_[next_[node]] = previous_[node];
+  children_.move(node, parent_[node], to);
   parent_[node] = to;
-  link(node);
 }
 
 // The finest descendants of `node`, without recursion: hierarchies may have any number of levels.
@@ -51,19 +43,19 @@ void Clusters::for_each_vertex(Index level, Index node, Visit&& visit) const {
   Index at = node;
   Index at_level = level;
   while (true) {
-    if (at_level > 1 && first_child_[at] != kNone) {
-      at = first_child_[at];
+    if (at_level > 1 && children_.first_child(at) != kNone) {
+      at = children_.first_child(at);
       --at_level;
       continue;
     }
     if (at_level == 1)
-      for (Index vertex = first_child_[at]; vertex != kNone; vertex = next_[vertex]) visit(vertex);
-    while (at != node && next_[at] == kNone) {
+      for (Index vertex = children_.first_child(at); vertex != kNone; vertex = children_.next_sibling(vertex)) visit(vertex);
+    while (at != node && children_.next_sibling(at) == kNone) {
       at = parent_[at];
       ++at_level;
     }
     if (at == node) return;
-    at = next_[at];
+    at = children_.next_sibling(at);
   }
 }
 
@@ -97,14 +89,6 @@ std::span<const Candidate> Clusters::candidates(Index level, Index node, std::ui
     return a.edge_count != b.edge_count ? a.edge_count > b.edge_count : a.parent < b.parent;
   });
   return candidates;
-}
-
-void Clusters::link(Index node) {
-  Index& first = first_child_[parent_[node]];
-  previous_[node] = kNone;
-  next_[node] = first;
-  if (first != kNone) previous_[first] = node;
-  first = node;
 }
 
 }  // namespace limber

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "limber/hierarchy/child_lists.h"
 #include "limber/hierarchy/hierarchy.h"
 #include "limber/stream/neighbors.h"
 
@@ -27,7 +28,7 @@ class Clusters {
   std::span<const Index> level_begin() const { return level_begin_; }
   std::span<const Index> parents() const { return parent_; }
 
-  bool has_children(Index node) const { return first_child_[node] != kNone; }
+  bool has_children(Index node) const { return children_.first_child(node) != kNone; }
 
   // No node has a parent.
   void clear();
@@ -48,16 +49,15 @@ class Clusters {
   std::span<const Candidate> candidates(Index level, Index node, std::uint32_t& own_edge_count);
 
  private:
-  void link(Index node);
   template <class Visit>
   void for_each_vertex(Index level, Index node, Visit&& visit) const;
 
   std::span<const Index> level_begin_;
   const IndexLists& neighbors_;
-  std::vector<Index> parent_;                         // [node_count]
-  std::vector<Index> first_child_, next_, previous_;  // [node_count]: children in doubly linked lists
-  std::vector<std::uint32_t> edge_count_;             // [node_count + 1], the last for no cluster; 0 between calls
-  std::vector<Index> found_;                          // scratch: clusters whose count is not 0
+  std::vector<Index> parent_;  // [node_count]
+  ChildLists children_;
+  std::vector<std::uint32_t> edge_count_;  // [node_count + 1], the last for no cluster; 0 between calls
+  std::vector<Index> found_;               // scratch: clusters whose count is not 0
   std::vector<Candidate> candidates_;
   std::vector<std::uint8_t> changed_;
 };
