@@ -49,7 +49,8 @@ void Clusters::for_each_vertex(Index level, Index node, Visit&& visit) const {
       continue;
     }
     if (at_level == 1)
-      for (Index vertex = children_.first_child(at); vertex != kNone; vertex = children_.next_sibling(vertex)) visit(vertex);
+      for (Index vertex = children_.first_child(at); vertex != kNone; vertex = children_.next_sibling(vertex))
+        visit(vertex);
     while (at != node && children_.next_sibling(at) == kNone) {
       at = parent_[at];
       ++at_level;
