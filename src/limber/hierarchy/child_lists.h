@@ -41,14 +41,11 @@ class ChildLists {
   }
 
   // Again no node has a child.
-  void clear() {
-    std::fill(first_child_.begin(), first_child_.end(), kNone);
-    std::fill(next_.begin(), next_.end(), kNone);
-    std::fill(previous_.begin(), previous_.end(), kNone);
-  }
+  void clear() { std::fill(first_child_.begin(), first_child_.end(), kNone); }
 
  private:
-  std::vector<Index> first_child_, next_, previous_;  // [node_count]
+  std::vector<Index> first_child_;      // [node_count]
+  std::vector<Index> next_, previous_;  // [node_count]; of children only
 };
 
 }  // namespace limber

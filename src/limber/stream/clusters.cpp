@@ -17,7 +17,7 @@ Clusters::Clusters(std::span<const Index> level_begin, const IndexLists& neighbo
 
 void Clusters::clear() {
   std::fill(parent_.begin(), parent_.end(), kNone);
-  std::fill(first_child_.begin(), first_child_.end(), kNone);
+  children_.clear();
   forget_changes();
 }
 
