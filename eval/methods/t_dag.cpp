@@ -43,6 +43,8 @@ class History final : public EdgeFactor {
     return living_.is_node(Forest::join(sets_[u], sets_[v])) ? factor_ : 1;
   }
 
+  bool is_of_ends() const override { return true; }
+
   void contracted(Index stays, Index goes) override { sets_[stays] = Forest::join(sets_[stays], sets_[goes]); }
 
  private:
@@ -59,8 +61,7 @@ class TDag final : public Method {
     mesh_ = &mesh;
     surface_.emplace(mesh);
     vertex_quadrics_.emplace(mesh, options_.contract.quadrics);
-    living_.emplace(mesh.vertex_count);
-    code_.emplace(mesh);
+    graph_.emplace(mesh);
     names_.resize(mesh.vertex_count);
     std::iota(names_.begin(), names_.end(), Index{0});
     unit_.resize(mesh.vertex_count);
@@ -69,11 +70,10 @@ class TDag final : public Method {
   void frame(std::span<const Vec3f> positions, Approximation& out) override {
     const ThreadTimer adapting;
     const Normalization normalize = normalization(positions);
-    History history(*living_, options_.history);
+    History history(graph_->living(), options_.history);
     FeatureContraction contraction(*surface_, frame_data(positions, normalize), options_.contract, 0, history);
     contraction.contract_to(options_.vertices, options_.triangles);
     take_roots(contraction.merges());
-    living_.emplace(mesh_->vertex_count, contraction.merges());
     out.adapt_seconds = adapting.seconds();
 
     const ThreadTimer extracting;
@@ -81,7 +81,7 @@ class TDag final : public Method {
     out.extract_seconds = extracting.seconds();
 
     out.clusters = names_;
-    out.choice_bytes = code_->encode(*living_).size();
+    out.choice_bytes = graph_->encode(Forest(mesh_->vertex_count, contraction.merges())).size();
   }
 
  private:
@@ -138,8 +138,7 @@ class TDag final : public Method {
   const Mesh* mesh_ = nullptr;
   std::optional<Surface> surface_;
   std::optional<VertexQuadrics> vertex_quadrics_;
-  std::optional<Forest> living_;
-  std::optional<TDagCode> code_;
+  std::optional<TDagCode> graph_;
   std::vector<Index> names_;    // [vertex_count]: of each one's root in the latest frame; a vertex of that root
   std::vector<Index> roots_;    // [vertex_count]: by what stands for them in the contraction
   std::vector<Index> name_of_;  // [vertex_count]: by roots_

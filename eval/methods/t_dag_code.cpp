@@ -181,7 +181,7 @@ void TDagCode::code(Coder& coder, const Forest* forest) {
   if constexpr (Coder::kEncodes)
     surplus = static_cast<std::int32_t>(forest->node_count()) - static_cast<std::int32_t>(node_count);
   surplus = models_->surplus.code(coder, surplus);
-  // Of bytes that no encoder writes nothing less than none and nothing more than there can be comes out.
+  // Of bytes that no encoder writes it may be any number: then what there is to ask comes to an end.
   const Index to_come = ended_ + static_cast<Index>(surplus);
 
   Groups groups(living_, lives, edges_);
@@ -210,10 +210,9 @@ std::vector<std::byte> TDagCode::encode(const Forest& forest) {
   return coder.finish();
 }
 
-const Forest& TDagCode::decode(std::span<const std::byte> bytes) {
+void TDagCode::decode(std::span<const std::byte> bytes) {
   RangeDecoder coder(bytes);
   code(coder, nullptr);
-  return living_;
 }
 
 }  // namespace limber::eval

@@ -26,11 +26,13 @@ class TDagCode {
   // forest: of the mesh's vertices; every node above them has two children, which an edge of the mesh joins.
   std::vector<std::byte> encode(const Forest& forest);
 
-  // Gives the hierarchy that was written, its nodes numbered in another way; valid until the next call. Of bytes that
-  // encode() did not write some hierarchy comes out, in which a node may have more than two children.
-  const Forest& decode(std::span<const std::byte> bytes);
+  // living() becomes the hierarchy that was written. Of bytes that encode() did not write some hierarchy comes out, in
+  // which a node may have more than two children.
+  void decode(std::span<const std::byte> bytes);
 
-  // Nodes whose life time began and ended with the last frame, either way.
+  // The nodes that live in the latest frame, whichever way it came; numbered the same by both.
+  const Forest& living() const { return living_; }
+  // How many of them began with it, and how many ended before it.
   Index born() const { return born_; }
   Index ended() const { return ended_; }
 
