@@ -105,6 +105,12 @@ void declare_method(CLI::App& app, MethodArgument& argument) {
       ->check(CLI::Range(0.0, 10.0))
       ->group(group);
   declare_feature(app, options.feature);
+  app.add_option("--history", options.history,
+                 "what a contraction costs of its price that leads to a node of the frame before; 1: no history")
+      ->type_name("SHARE")
+      ->check(CLI::Range(0.01, 1.0))
+      ->capture_default_str()
+      ->group("T-DAG");
 }
 
 std::vector<const eval::MethodInfo*> chosen_methods(const MethodArgument& argument) {

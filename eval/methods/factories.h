@@ -19,5 +19,6 @@ std::unique_ptr<Method> make_deformation_oriented(const MethodOptions& options);
 std::unique_ptr<Method> make_best_cut(const MethodOptions& options);
 std::unique_ptr<Method> make_multilevel(const MethodOptions& options);
 std::unique_ptr<Method> make_feature(const MethodOptions& options);
+std::unique_ptr<Method> make_t_dag(const MethodOptions& options);
 
 }  // namespace limber::eval

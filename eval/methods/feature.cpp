@@ -34,6 +34,8 @@ class ClusterMemory final : public EdgeFactor {
     return before_[u] == before_[v] && before_[u] != kNone ? kRemembered : 1;
   }
 
+  bool is_of_ends() const override { return true; }
+
   void contracted(Index stays, Index goes) override {
     if (before_[stays] != before_[goes]) before_[stays] = kNone;
   }

@@ -64,7 +64,10 @@ void FeatureContraction::measure(Index edge) {
 void FeatureContraction::enqueue(Index edge) {
   const double price = factor_.factor(surface_, data_.positions, edge) * sums_[edge] + k1_ * deviations_[edge];
   if (price == prices_[edge] && state_[edge] == EdgeState::kQueued) return;
+  // A higher price is for when the edge comes to the front.
+  const bool is_late = state_[edge] == EdgeState::kQueued && price > prices_[edge] && prices_[edge] >= 0;
   prices_[edge] = price;
+  if (is_late) return;
   state_[edge] = EdgeState::kQueued;
   heap_.push_back({price, edge, ++versions_[edge]});
   std::push_heap(heap_.begin(), heap_.end());
@@ -73,9 +76,16 @@ void FeatureContraction::enqueue(Index edge) {
 Index FeatureContraction::take() {
   while (!heap_.empty()) {
     std::pop_heap(heap_.begin(), heap_.end());
-    const Entry entry = heap_.back();
+    Entry& entry = heap_.back();
+    const bool is_valid = surface_.is_alive(entry.edge) && versions_[entry.edge] == entry.version;
+    if (is_valid && entry.price < prices_[entry.edge]) {
+      entry.price = prices_[entry.edge];
+      std::push_heap(heap_.begin(), heap_.end());
+      continue;
+    }
+    const Index edge = entry.edge;
     heap_.pop_back();
-    if (surface_.is_alive(entry.edge) && versions_[entry.edge] == entry.version) return entry.edge;
+    if (is_valid) return edge;
   }
   return kNone;
 }
@@ -120,15 +130,16 @@ void FeatureContraction::apply(Index edge) {
   merges_.push_back({u, v});
   factor_.contracted(u, v);
   neighbours_.clear();
+  around_.clear();
   surface_.for_each_edge(u, [&](Index e, Index w) {
     measure(e);
     neighbours_.push_back(w);
+    around_.push_back(e);
   });
+  if (factor_.is_of_ends()) neighbours_.clear();
   // Not while the surface is being visited: the factor visits it too.
-  around_.clear();
-  surface_.for_each_edge(u, [&](Index e, Index) { around_.push_back(e); });
   for (const Index w : neighbours_) {
-    surface_.for_each_edge(w, [&](Index e, Index other) {
+    surface_.for_each_edge(w, [&, u = u](Index e, Index other) {
       if (other != u && state_[e] == EdgeState::kQueued) around_.push_back(e);
     });
   }

@@ -21,6 +21,9 @@ class EdgeFactor {
   // >= 0. positions: [vertex_count x frame_count], as contracted so far.
   virtual double factor(Surface& surface, std::span<const Vec3f> positions, Index edge) = 0;
 
+  // Whether nothing but what its ends have taken in changes the factor of an edge.
+  virtual bool is_of_ends() const { return false; }
+
   // `goes` has become a part of `stays`.
   virtual void contracted(Index /*stays*/, Index /*goes*/) {}
 };
@@ -86,7 +89,7 @@ class FeatureContraction {
   Index triangle_count_ = 0;
   std::vector<Entry> heap_;
   std::vector<double> sums_, deviations_;  // [edge_count]: over the frames
-  std::vector<double> prices_;             // [edge_count]: of the latest entry
+  std::vector<double> prices_;             // [edge_count]: which that of the latest entry may be below
   std::vector<std::uint32_t> versions_;    // [edge_count]
   std::vector<EdgeState> state_;           // [edge_count]
   std::vector<Merge> merges_;

@@ -40,6 +40,10 @@ struct MethodOptions {
   double threshold = 0.05;
 
   FeatureOptions feature{};
+
+  // Of t-dag: what a contraction costs of its price that leads to a node of the frame before, above 0, at most 1; with
+  // 1 every frame goes by itself.
+  double history = 0.6;
 };
 
 // One frame's result. The caller's object, used again for each frame.

@@ -25,6 +25,8 @@ constexpr MethodInfo kMethods[] = {
      make_multilevel},
     {"feature", "one sequence of contractions for all frames, the last of them chosen in each frame (Zhang & Wu)",
      false, Sees::kMany, make_feature},
+    {"t-dag", "every frame's own contractions, as far as they fit those of the frame before (Shamir, Bajaj & Pascucci)",
+     false, Sees::kFirst, make_t_dag},
 };
 
 }  // namespace
