@@ -203,6 +203,11 @@ void declare_reclustering(CLI::App& app, ReclusterOptions& options) {
       ->check(in_range(0, 1e6))
       ->type_name("X")
       ->capture_default_str();
+  app.add_option("--fit", options.fit.rounds,
+                 "how often the levels are fitted to the surface; 0: their nodes stand at the minima of their quadrics")
+      ->check(in_range(0, 100))
+      ->type_name("N")
+      ->capture_default_str();
   app.add_option("--coarser-weight", options.coarser_weight, "weight of each level against the one below it")
       ->check(above_zero(1e6))
       ->type_name("X")

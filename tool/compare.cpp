@@ -148,6 +148,7 @@ BuildStreamOptions stream_options(const Arguments& arguments, const Work& work, 
   options.recluster.growth = work.options.growth;
   options.recluster.coarser_weight = work.options.coarser_weight;
   options.recluster.threshold = work.options.threshold;
+  options.recluster.fit = work.options.fit;
   options.base_frames = arguments.method.base_frames;
   options.threads = threads;
   return options;

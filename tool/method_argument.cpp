@@ -97,6 +97,11 @@ void declare_method(CLI::App& app, MethodArgument& argument) {
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str()
       ->group(group);
+  app.add_option("--fit", options.fit.rounds, "how often the levels are fitted to the surface; 0: not, as in the paper")
+      ->type_name("N")
+      ->check(CLI::Range(0u, 100u))
+      ->capture_default_str()
+      ->group(group);
   app.add_option("--coarser-weight", options.coarser_weight, "of the errors of coarser levels")
       ->check(CLI::Range(1e-9, 1e9))
       ->capture_default_str()

@@ -46,7 +46,8 @@ class Improved final : public Method {
                                      .quadrics = options_.contract.quadrics,
                                      .growth = options_.growth,
                                      .coarser_weight = options_.coarser_weight,
-                                     .threshold = 0};
+                                     .threshold = 0,
+                                     .fit = {.rounds = 0}};
     TwoLevels levels = two_levels(contractor, mesh_->vertex_count);
     const double contract_seconds = contracting.seconds();
     Follower follower(*mesh_, std::move(levels.hierarchy), recluster, {.by = CutBy::kLevel, .level = 1});

@@ -12,6 +12,7 @@
 #include "limber/base/mesh.h"
 #include "limber/base/vec.h"
 #include "limber/contract/contract.h"
+#include "limber/hierarchy/level_fit.h"
 
 namespace limber::eval {
 
@@ -38,6 +39,7 @@ struct MethodOptions {
   std::optional<double> growth{};
   double coarser_weight = 0.2;
   double threshold = 0.05;
+  FitOptions fit{};
 
   FeatureOptions feature{};
 

@@ -43,7 +43,8 @@ class Multilevel final : public Method {
                                      .quadrics = options_.contract.quadrics,
                                      .growth = options_.growth,
                                      .coarser_weight = options_.coarser_weight,
-                                     .threshold = options_.threshold};
+                                     .threshold = options_.threshold,
+                                     .fit = options_.fit};
     follower_.emplace(mesh, build_hierarchy(mesh, seen, build), recluster, cut_to_size(options_));
   }
 

@@ -5,6 +5,7 @@
 //     quadrics of the finest vertices, summed up the levels; minima and errors of all nodes      section 3
 //     for each level, coarse to fine: improve_level()                                             section 4.3
 //     sums, minima and errors once more from scratch, so that what is stored does not depend on the order of swaps
+//     nodes moved from their minima to where the levels fit the surface                           level_fit.h
 //
 //   improve_level(level):
 //     repeat until no swap is made:
@@ -46,6 +47,7 @@ Reclusterer::Reclusterer(const Mesh& mesh, Hierarchy base, const ReclusterOption
       energies_(hierarchy_.node_count(), 0.0),
       positions_(hierarchy_.node_count()),
       errors_(hierarchy_.node_count(), 0.0f),
+      fit_(mesh, hierarchy_),
       mark_(hierarchy_.node_count(), 0) {
   assert(hierarchy_.vertex_count() == mesh.vertex_count);
   if (!graphs_.empty()) graph_builder_.build_finest(mesh, options.topology == Topology::kFree, graphs_[0]);
@@ -204,6 +206,7 @@ std::span<const Swap> Reclusterer::step(std::span<const Vec3f> positions) {
   for (auto level = static_cast<Index>(graphs_.size()); level-- > 0;)
     improve_level(level, first_ ? 0.0 : options_.threshold);
   place_all();
+  fit_.fit(quadrics_, options_.fit, minima_);
   first_ = false;
 
   swaps_.clear();

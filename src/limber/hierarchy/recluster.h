@@ -13,6 +13,7 @@
 #include "limber/hierarchy/child_lists.h"
 #include "limber/hierarchy/hierarchy.h"
 #include "limber/hierarchy/leeway.h"
+#include "limber/hierarchy/level_fit.h"
 #include "limber/hierarchy/level_graph.h"
 #include "limber/hierarchy/swap_validity.h"
 
@@ -30,6 +31,8 @@ struct ReclusterOptions {
   // A swap is worth making when it lowers the weighted error by more than this share of the mean error of the
   // clusters on its level, >= 0: what trades error against changes, time and bytes.
   double threshold = 0.05;
+  // How the nodes' positions are fitted to the surface; swaps are chosen by quadrics alone.
+  FitOptions fit;
 };
 
 // Follows a clip frame by frame. One frame of memory.
@@ -46,9 +49,9 @@ class Reclusterer {
 
   // All of the last step:
   const Hierarchy& hierarchy() const { return hierarchy_; }
-  // [node_count]; finest nodes have the positions given, others the minimum of their quadric.
+  // [node_count]; finest nodes have the positions given, others those of level_fit.h.
   std::span<const Vec3f> positions() const { return positions_; }
-  // [node_count]; square root of the quadric error, 0 for finest nodes (see stream/frame_state.h for the unit).
+  // [node_count]; square root of the least quadric error, 0 for finest nodes (see stream/frame_state.h for the unit).
   std::span<const float> errors() const { return errors_; }
   // How far each node above the finest level may stand from its position: leeways[node - vertex_count]. In the units of
   // the positions.
@@ -85,13 +88,16 @@ class Reclusterer {
   double scale_ = 0;  // of the first frame's normalization, used for all
   bool first_ = true;
 
-  std::vector<Quadric> quadrics_;      // [node_count]
-  std::vector<Vec3d> minima_;          // [node_count], normalized; finest nodes where they are
+  std::vector<Quadric> quadrics_;  // [node_count]
+  // [node_count], normalized; finest nodes where they are; after a step, as fitted
+  std::vector<Vec3d> minima_;
   std::vector<double> energies_;       // [node_count], quadric errors
   std::vector<Vec3f> positions_;       // [node_count]
   std::vector<float> errors_;          // [node_count]
   std::vector<Index> parents_before_;  // [node_count]
   std::vector<Swap> swaps_;
+
+  LevelFit fit_;
 
   std::vector<Candidate> candidates_;  // scratch of a pass
   std::vector<Index> pending_;         // nodes to look at in the next pass
