@@ -46,8 +46,8 @@ const FrameMeasure& ClipMeasure::add(const Surface& original, const Surface& app
   return frames_.emplace_back(frame);
 }
 
-// Half of the time of a single pair of meshes would go into the first frame's part in a flicker that it has not, so that
-// this part waits for the second frame.
+// Half of the time of a single pair of meshes would go into the first frame's part in a flicker that it has not, so
+// that this part waits for the second frame.
 std::optional<double> ClipMeasure::flicker(const Surface& original, const Surface& approximation) {
   const auto keep = [](const Surface& surface) {
     return Kept{{surface.triangles.begin(), surface.triangles.end()},

@@ -46,7 +46,7 @@ Approximation simplify(const MethodInfo& info, const Clip& clip, std::size_t t, 
 std::multiset<Triangle> as_set(std::span<const Triangle> triangles) {
   std::multiset<Triangle> set;
   for (Triangle t : triangles) {
-    std::ranges::rotate(t, std::ranges::min_element(t));
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
     set.insert(t);
   }
   return set;
