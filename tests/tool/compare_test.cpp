@@ -87,6 +87,8 @@ TEST_F(CompareVerb, TakesEveryMethodWhereNoneIsNamed) {
 }
 
 TEST_F(CompareVerb, LeavesOutAMethodThatCannotTakeTheClipUnlessItIsNamed) {
+  if (std::ranges::all_of(eval::methods(), [](const eval::MethodInfo& info) { return info.check == nullptr; }))
+    GTEST_SKIP() << "every method of this build takes every clip";
   write(path("fin.obj"), square_with_a_fin());
   const std::vector<std::string> all{"compare", path("fin.obj"), "--vertices", "40", "--samples", "500",
                                      "-o",      path("report"),  "--json"};
