@@ -41,7 +41,7 @@ struct IsSmallEnough {
 
 // Remembers what became of every vertex. CGAL copies it: it refers.
 struct Gather : sms::Edge_collapse_visitor_base<HalfEdges> {
-  explicit Gather(std::vector<Vertex>& into) : into(&into) {}
+  explicit Gather(std::vector<Vertex>& vertices) : into(&vertices) {}
 
   void OnCollapsed(const Profile& profile, const Vertex& kept) { (*into)[profile.v0()] = (*into)[profile.v1()] = kept; }
 
