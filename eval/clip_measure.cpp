@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 
 namespace limber::eval {
 
@@ -40,9 +41,42 @@ const FrameMeasure& ClipMeasure::add(const Surface& original, const Surface& app
   frame.number = options_.first_frame_number + static_cast<std::uint32_t>(frames_.size());
   frame.distance = measure_distance(original, original_tree_, approximation, approximation_tree_, options_.distance);
   frame.quality = measure_quality(original, original_tree_, approximation);
-  frame.flicker = flicker_.add(original, approximation_tree_);
+  frame.flicker = flicker(original, approximation);
   if (!ids.empty()) frame.changed = changed_.add(ids);
   return frames_.emplace_back(frame);
+}
+
+// Half of the time of a single pair of meshes would go into the first frame's part in a flicker that it has not, so
+// that this part waits for the second frame.
+std::optional<double> ClipMeasure::flicker(const Surface& original, const Surface& approximation) {
+  const auto keep = [](const Surface& surface) {
+    return Kept{{surface.triangles.begin(), surface.triangles.end()},
+                {surface.positions.begin(), surface.positions.end()}};
+  };
+  if (frames_.empty()) {
+    first_original_ = keep(original);
+    first_approximation_ = keep(approximation);
+    return std::nullopt;
+  }
+  if (frames_.size() == 1) {
+    flicker_.add(first_original_, ClosestPointTree(first_approximation_));
+    first_original_ = first_approximation_ = {};
+  }
+  return flicker_.add(original, approximation_tree_);
+}
+
+Confidence ClipMeasure::confidence() const {
+  constexpr double k95 = 1.96;  // standard errors
+  if (frames_.empty()) return {};
+  constexpr std::size_t kMost = std::numeric_limits<std::size_t>::max();
+  Confidence confidence{.original_samples = kMost, .approximation_samples = kMost};
+  for (const FrameMeasure& frame : frames_) {
+    const Distance& distance = frame.distance;
+    confidence.original_samples = std::min(confidence.original_samples, distance.to_approximation.sample_count);
+    confidence.approximation_samples = std::min(confidence.approximation_samples, distance.to_original.sample_count);
+    confidence.rms_within = std::max(confidence.rms_within, k95 * distance.rms_error);
+  }
+  return confidence;
 }
 
 ClipSummary ClipMeasure::summary() const {

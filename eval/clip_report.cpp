@@ -50,6 +50,18 @@ Json summary_json(const ClipSummary& summary, double Statistic::*which) {
           {"changed", pick(summary.changed)}};
 }
 
+const char* name_of(Sampling sampling) { return sampling == Sampling::kMetro ? "metro" : "area"; }
+
+Json sampling_json(const ClipMeasure& measure) {
+  const DistanceOptions& options = measure.options().distance;
+  const Confidence confidence = measure.confidence();
+  return {{"kind", name_of(options.sampling)},
+          {"seed", options.samples.seed},
+          {"original_samples", confidence.original_samples},
+          {"approximation_samples", confidence.approximation_samples},
+          {"rms_within_95", confidence.rms_within}};
+}
+
 // A column of the table is as wide as its heading here.
 constexpr const char* kHeading = "  frame  triangles       rms      mean       max   flicker  changed  inverted\n";
 
@@ -96,6 +108,7 @@ Json report_json(const ClipMeasure& measure) {
   report.update(summary_json(summary, &Statistic::mean));
   report["percentile_95"] = summary_json(summary, &Statistic::percentile_95);
   report["worst"] = summary_json(summary, &Statistic::worst);
+  report["sampling"] = sampling_json(measure);
   report["frames"] = Json::array();
   for (const FrameMeasure& frame : measure.frames()) report["frames"].push_back(frame_json(frame));
   return report;
@@ -110,6 +123,17 @@ std::string report_table(const ClipMeasure& measure) {
     table += line(summary_row("worst", summary, &Statistic::worst));
   }
   return table;
+}
+
+std::string sampling_line(const ClipMeasure& measure) {
+  const DistanceOptions& options = measure.options().distance;
+  const Confidence confidence = measure.confidence();
+  return fmt::format(
+      "{} samples on the original and {} on the approximation, {}, seed {}; rms to within {:.5f} with 95 % "
+      "confidence\n",
+      confidence.original_samples, confidence.approximation_samples,
+      options.sampling == Sampling::kMetro ? "as Metro takes them" : "uniform by area", options.samples.seed,
+      confidence.rms_within);
 }
 
 }  // namespace limber::eval

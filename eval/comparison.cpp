@@ -16,14 +16,21 @@ double ratio(double value, double first) {
   return value > 0 ? std::numeric_limits<double>::infinity() : 1.0;
 }
 
-template <class Value>
-double mean(std::span<const MethodFrame> frames, const Value& value) {
+double mean_adapt_seconds(std::span<const MethodFrame> frames) {
   double sum = 0;
-  for (const MethodFrame& frame : frames) sum += value(frame);
+  for (const MethodFrame& frame : frames) sum += frame.adapt_seconds;
   return frames.empty() ? 0.0 : sum / static_cast<double>(frames.size());
 }
 
 }  // namespace
+
+std::optional<Statistic> quadric_errors(const Contender& contender) {
+  std::vector<double> values;
+  for (const MethodFrame& frame : contender.frames) {
+    if (frame.quadric_error) values.push_back(*frame.quadric_error);
+  }
+  return statistic(std::move(values));
+}
 
 Comparison::Comparison(std::span<const MethodInfo* const> methods, const MethodOptions& options,
                        const ClipMeasureOptions& measure)
@@ -68,8 +75,10 @@ Result<void> Comparison::add(std::span<const Vec3f> positions) {
     const Approximation& made = contender.approximation;
     name_corners(made, ids_);
     contender.measure.add(original, {made.triangles, made.positions}, ids_);
+    std::optional<double> quadric_error;
+    if (!made.clusters.empty()) quadric_error = quadric_error_->measure(positions, made.clusters);
     contender.frames.push_back({.vertex_count = static_cast<Index>(made.positions.size()),
-                                .quadric_error = quadric_error_->measure(positions, made.clusters),
+                                .quadric_error = quadric_error,
                                 .adapt_seconds = made.adapt_seconds,
                                 .extract_seconds = made.extract_seconds});
   }
@@ -86,13 +95,11 @@ Relative Comparison::relative(std::size_t contender) const {
     result.rms_by_frame += r / static_cast<double>(first.frames.size());
     result.rms_worst = std::max(result.rms_worst, r);
   }
-  const auto of_means = [&](double MethodFrame::*value) {
-    const auto get = [value](const MethodFrame& frame) { return frame.*value; };
-    return ratio(mean(other.frames, get), mean(first.frames, get));
-  };
   result.rms_by_mean = ratio(other.measure.summary().rms.mean, first.measure.summary().rms.mean);
-  result.quadric_error = of_means(&MethodFrame::quadric_error);
-  result.adapt_time = of_means(&MethodFrame::adapt_seconds);
+  result.quadric_error = std::nullopt;
+  const std::optional<Statistic> its = quadric_errors(other), firsts = quadric_errors(first);
+  if (its && firsts) result.quadric_error = ratio(its->mean, firsts->mean);
+  result.adapt_time = ratio(mean_adapt_seconds(other.frames), mean_adapt_seconds(first.frames));
   return result;
 }
 

@@ -21,8 +21,8 @@ namespace limber::eval {
 // What a method did, beside what ClipMeasure says of it.
 struct MethodFrame {
   Index vertex_count = 0;
-  double quadric_error = 0;  // see QuadricError
-  double adapt_seconds = 0;  // see Approximation
+  std::optional<double> quadric_error;  // see QuadricError; nothing where the method does not tell its clusters
+  double adapt_seconds = 0;             // see Approximation
   double extract_seconds = 0;
 };
 
@@ -35,13 +35,16 @@ struct Contender {
   std::vector<MethodFrame> frames;  // as many as measure.frames()
 };
 
+// Over the frames; nothing where the method does not tell its clusters.
+std::optional<Statistic> quadric_errors(const Contender& contender);
+
 // A contender against the first one.
 struct Relative {
-  double rms_by_frame = 1;   // mean over the frames of rms / rms
-  double rms_by_mean = 1;    // mean rms / mean rms
-  double rms_worst = 1;      // the largest rms / rms of a frame
-  double quadric_error = 1;  // mean / mean
-  double adapt_time = 1;     // mean / mean
+  double rms_by_frame = 1;                  // mean over the frames of rms / rms
+  double rms_by_mean = 1;                   // mean rms / mean rms
+  double rms_worst = 1;                     // the largest rms / rms of a frame
+  std::optional<double> quadric_error = 1;  // mean / mean; nothing where one of them has none
+  double adapt_time = 1;                    // mean / mean
 };
 
 class Comparison {
@@ -50,7 +53,7 @@ class Comparison {
   Comparison(std::span<const MethodInfo* const> methods, const MethodOptions& options,
              const ClipMeasureOptions& measure);
 
-  // As Method::begin(). `seen` was read for these methods.
+  // As Method::begin(). `seen` was read for these methods, all of which support the mesh.
   void begin(const Mesh& mesh, const SeenFrames& seen);
 
   // Runs every method on the next frame, one after the other on this thread so that times can be compared, and measures
@@ -73,7 +76,7 @@ class Comparison {
 
 // Schema "limber.simplify/1": `methods`, each with its name, the summary and the frames of "limber.measure/1",
 // `vertices`, `quadric_error`, `begin_ms`, `adapt_ms` and `extract_ms` (mean, 95th percentile and worst), and
-// `relative` to the first method. Precondition of both: a frame has been added.
+// `relative` to the first method; null where there is no value. Precondition of both: a frame has been added.
 nlohmann::ordered_json comparison_json(const Comparison& comparison);
 
 // A line per method; then, of several, a line per method relative to the first.

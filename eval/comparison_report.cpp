@@ -26,13 +26,13 @@ Statistic vertex_counts(const Contender& contender) {
   return over_frames(contender, [](const MethodFrame& frame) { return static_cast<double>(frame.vertex_count); });
 }
 
-Statistic quadric_errors(const Contender& contender) {
-  return over_frames(contender, [](const MethodFrame& frame) { return frame.quadric_error; });
-}
-
 Json statistic_json(const Statistic& s) {
   return {{"mean", s.mean}, {"percentile_95", s.percentile_95}, {"worst", s.worst}};
 }
+
+Json statistic_json(const std::optional<Statistic>& s) { return s ? statistic_json(*s) : Json(nullptr); }
+
+Json number_or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
 Json relative_json(const Comparison& comparison, std::size_t i) {
   const Relative relative = comparison.relative(i);
@@ -40,7 +40,7 @@ Json relative_json(const Comparison& comparison, std::size_t i) {
           {"rms", relative.rms_by_frame},
           {"rms_of_means", relative.rms_by_mean},
           {"rms_worst_frame", relative.rms_worst},
-          {"quadric_error", relative.quadric_error},
+          {"quadric_error", number_or_null(relative.quadric_error)},
           {"adapt_time", relative.adapt_time}};
 }
 
@@ -57,7 +57,7 @@ Json contender_json(const Comparison& comparison, std::size_t i) {
   for (std::size_t t = 0; t < contender.frames.size(); ++t) {
     const MethodFrame& frame = contender.frames[t];
     measured["frames"][t].update(Json{{"vertices", frame.vertex_count},
-                                      {"quadric_error", frame.quadric_error},
+                                      {"quadric_error", number_or_null(frame.quadric_error)},
                                       {"adapt_ms", 1000 * frame.adapt_seconds},
                                       {"extract_ms", 1000 * frame.extract_seconds}});
   }
@@ -93,12 +93,14 @@ std::string comparison_table(const Comparison& comparison) {
                                   "changed", "QEM", "adapt ms", "list ms");
   for (const Contender& contender : contenders) {
     const ClipSummary summary = contender.measure.summary();
+    const std::optional<Statistic> quadric_error = quadric_errors(contender);
     table += fmt::format(
-        "{:<{}}  {:>8.0f}  {:>9.0f}  {:>8.5f}  {:>8.5f}  {:>8.5f}  {:>8}  {:>8}  {:>9.3e}  {:>9.2f}  "
+        "{:<{}}  {:>8.0f}  {:>9.0f}  {:>8.5f}  {:>8.5f}  {:>8.5f}  {:>8}  {:>8}  {:>9}  {:>9.2f}  "
         "{:>9.2f}\n",
         contender.info->name, width, vertex_counts(contender).mean, summary.triangle_count.mean, summary.rms.mean,
         summary.mean.mean, summary.max.mean, or_dash(summary.flicker, 1, "", 5), or_dash(summary.changed, 100, " %", 2),
-        quadric_errors(contender).mean, milliseconds(contender, &MethodFrame::adapt_seconds).mean,
+        quadric_error ? fmt::format("{:.3e}", quadric_error->mean) : "-",
+        milliseconds(contender, &MethodFrame::adapt_seconds).mean,
         milliseconds(contender, &MethodFrame::extract_seconds).mean);
   }
   if (contenders.size() < 2) return table;
@@ -106,9 +108,10 @@ std::string comparison_table(const Comparison& comparison) {
                        "method", width, "rms", "of means", "worst frame", "QEM", "time");
   for (std::size_t i = 1; i < contenders.size(); ++i) {
     const Relative relative = comparison.relative(i);
-    table += fmt::format("{:<{}}  {:>8.3f}  {:>8.3f}  {:>11.3f}  {:>8.3f}  {:>8.3f}\n", contenders[i].info->name, width,
-                         relative.rms_by_frame, relative.rms_by_mean, relative.rms_worst, relative.quadric_error,
-                         relative.adapt_time);
+    table +=
+        fmt::format("{:<{}}  {:>8.3f}  {:>8.3f}  {:>11.3f}  {:>8}  {:>8.3f}\n", contenders[i].info->name, width,
+                    relative.rms_by_frame, relative.rms_by_mean, relative.rms_worst,
+                    relative.quadric_error ? fmt::format("{:.3f}", *relative.quadric_error) : "-", relative.adapt_time);
   }
   return table;
 }

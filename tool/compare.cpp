@@ -28,7 +28,8 @@ struct Arguments {
   eval::DistanceOptions distance;
   PictureArgument picture;
   OutputArgument output;
-  std::string words;  // the options as they were given, without -o and what concerns pictures
+  bool every_method = false;  // none was named
+  std::string words;          // the options as they were given, without -o and what concerns pictures
   std::string command;
 };
 
@@ -36,6 +37,7 @@ struct Arguments {
 struct Work {
   std::unique_ptr<ClipReader> clip;
   std::vector<const eval::MethodInfo*> methods;
+  std::vector<eval::LeftOut> left_out;
   eval::MethodOptions options;
   eval::SeenFrames seen;
   std::uint32_t frame_count = 0;
@@ -90,11 +92,27 @@ Result<std::uint32_t> count_frames(ClipReader& clip, Progress& progress) {
   }
 }
 
-Result<Work> begin(const Arguments& arguments, std::vector<const eval::MethodInfo*> methods, Progress& progress) {
-  Work work{.clip = {}, .methods = std::move(methods), .options = {}, .seen = {}, .frame_count = 0};
+// Where every method was asked for, those that cannot take the mesh are left out.
+Result<void> choose_methods(const Arguments& arguments, std::span<const eval::MethodInfo* const> methods, Work& work) {
+  for (const eval::MethodInfo* info : methods) {
+    const Result<void> supported = info->supports(work.clip->mesh());
+    if (supported) {
+      work.methods.push_back(info);
+    } else if (arguments.every_method) {
+      work.left_out.push_back({std::string(info->name), supported.error().line()});
+    } else {
+      return unsupported(arguments.clip.specification, *info, supported.error());
+    }
+  }
+  return {};
+}
+
+Result<Work> begin(const Arguments& arguments, std::span<const eval::MethodInfo* const> methods, Progress& progress) {
+  Work work;
   auto clip = open_any_clip(arguments.clip);
   if (!clip) return clip.error();
   work.clip = std::move(*clip);
+  if (Result<void> chosen = choose_methods(arguments, methods, work); !chosen) return chosen.error();
   work.options = method_options(arguments.method, work.clip->mesh());
   progress.start("reading", work.clip->frame_count());
   const Result<std::uint32_t> frame_count = count_frames(*work.clip, progress);
@@ -212,7 +230,8 @@ eval::RunFacts run_facts(const Arguments& arguments, const Work& work, unsigned 
           .processor = processor_name(),
           .threads = threads,
           .date = today(),
-          .distance = arguments.distance};
+          .distance = arguments.distance,
+          .left_out = work.left_out};
 }
 
 Result<void> write_files(const eval::Report& report, ReportFolder& folder) {
@@ -225,7 +244,8 @@ Result<void> write_files(const eval::Report& report, ReportFolder& folder) {
 }
 
 Result<Exit> compare_verb(Arguments arguments, Console& console) {
-  std::vector<const eval::MethodInfo*> methods = methods_in_order(arguments.method);
+  arguments.every_method = arguments.method.names.empty();
+  const std::vector<const eval::MethodInfo*> methods = methods_in_order(arguments.method);
   if (arguments.output.is_standard_output())
     throw UsageError("a report is several files: give -o a folder, as in -o report/");
   // Before the work, so that an output that is in the way is found out at once.
@@ -234,8 +254,10 @@ Result<Exit> compare_verb(Arguments arguments, Console& console) {
   if (!folder) return folder.error();
 
   Progress progress(console, "reading");
-  Result<Work> work = begin(arguments, std::move(methods), progress);
+  Result<Work> work = begin(arguments, methods, progress);
   if (!work) return work.error();
+  for (const eval::LeftOut& left_out : work->left_out)
+    console.note("{} is left out, it cannot take this clip: {}", left_out.method, left_out.why);
   const Result<Compared> compared = compare_methods(*work, arguments.distance, progress);
   if (!compared) return compared.error();
   eval::RunFacts run = run_facts(arguments, *work, console.conventions.threads);

@@ -74,7 +74,7 @@ Result<eval::ClipMeasure> measure_all(const Arguments& arguments, Console& conso
 Result<Exit> run_measure(const Arguments& arguments, Console& console) {
   Result<eval::ClipMeasure> measure = measure_all(arguments, console);
   if (!measure) return measure.error();
-  console.print("{}", report_table(*measure));
+  console.print("{}{}", report_table(*measure), sampling_line(*measure));
   if (console.conventions.json) {
     Json members = {{"original", arguments.original.specification},
                     {"approximation", arguments.approximation.specification}};

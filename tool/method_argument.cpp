@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "eval/peers/peers.h"
 #include "tool/exit.h"
 #include "tool/suggest.h"
 
@@ -13,7 +14,8 @@ namespace {
 
 std::string list_methods() {
   std::string text;
-  for (const eval::MethodInfo& info : eval::methods()) text += fmt::format("; {}: {}", info.name, info.description);
+  for (const eval::MethodInfo& info : eval::methods())
+    text += fmt::format("; {}{}: {}", info.peer ? "peer " : "", info.name, info.description);
   return text;
 }
 
@@ -122,6 +124,9 @@ std::vector<const eval::MethodInfo*> chosen_methods(const MethodArgument& argume
   std::vector<const eval::MethodInfo*> chosen;
   for (const std::string& name : argument.names) {
     const eval::MethodInfo* const info = eval::find_method(name);
+    if (info == nullptr && !eval::package_of_peer(name).empty())
+      throw UsageError(
+          fmt::format("this program was built without {}, which method {} needs", eval::package_of_peer(name), name));
     if (info == nullptr) {
       std::vector<std::string> names;
       for (const eval::MethodInfo& known : eval::methods()) names.emplace_back(known.name);
@@ -140,6 +145,10 @@ std::vector<const eval::MethodInfo*> chosen_methods(const MethodArgument& argume
     throw UsageError("--levels go from fine to coarse: each must be smaller than the one before");
   check_size(argument);
   return chosen;
+}
+
+Error unsupported(const std::string& clip, const eval::MethodInfo& info, const Error& why) {
+  return {why.code, clip, fmt::format("{} cannot take this clip: {}", info.name, why.line())};
 }
 
 eval::MethodOptions method_options(const MethodArgument& argument, const Mesh& mesh) {

@@ -27,6 +27,9 @@ void declare_method(CLI::App& app, MethodArgument& argument);
 // Throws UsageError for a name that no method has, for one that is given twice, and for none.
 std::vector<const eval::MethodInfo*> chosen_methods(const MethodArgument& argument);
 
+// What MethodInfo::supports() said, as an error about the clip.
+Error unsupported(const std::string& clip, const eval::MethodInfo& info, const Error& why);
+
 // With the size for this mesh, of which a ratio is taken without its isolated vertices. Throws UsageError for no size.
 eval::MethodOptions method_options(const MethodArgument& argument, const Mesh& mesh);
 

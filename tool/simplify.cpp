@@ -49,6 +49,10 @@ Result<Work> begin(const Arguments& arguments, std::span<const eval::MethodInfo*
   auto clip = open_any_clip(arguments.clip);
   if (!clip) return clip.error();
   work.clip = std::move(*clip);
+  for (const eval::MethodInfo* info : methods) {
+    const Result<void> supported = info->supports(work.clip->mesh());
+    if (!supported) return unsupported(arguments.clip.specification, *info, supported.error());
+  }
   work.options = method_options(arguments.method, work.clip->mesh());
   if (!arguments.output.path.empty()) {
     const std::uint32_t frame_count = work.clip->frame_count().value_or(1);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "limber/base/mesh.h"
+#include "limber/base/result.h"
 #include "limber/base/vec.h"
 #include "limber/contract/contract.h"
 #include "limber/hierarchy/level_fit.h"
@@ -30,7 +31,7 @@ struct MethodOptions {
   // How large an approximation may be; one of the two, > 0, the other 0. Isolated vertices do not count.
   Index vertices = 0;
   Index triangles = 0;
-  ContractOptions contract{};  // its topology is that of every method
+  ContractOptions contract{};  // its topology is that of every method but peers
 
   // Of the multilevel method: as BuildOptions and ReclusterOptions, and `limber build`. Where no level sizes are
   // given a vertex count is the exact size of a level, and the levels around it are spaced as `branching` says.
@@ -54,7 +55,8 @@ struct Approximation {
   std::vector<Vec3f> positions;  // only vertices that a triangle uses
   std::vector<Index> nodes;      // [positions.size()]: the id of each vertex, the same in every frame
   std::vector<Index> clusters;   // [vertex_count of the clip]: vertices with the same number share a cluster;
-                                 // numbers are below the clip's node count, whatever the method's nodes are
+                                 // numbers are below the clip's node count, whatever the method's nodes are. Empty
+                                 // where the method does not tell
   std::size_t choice_bytes = 0;  // what the frame's own choices of connectivity take when stored; 0: not known
   double adapt_seconds = 0;      // processor time of deciding what the frame is made of ...
   double extract_seconds = 0;    // ... and of listing its vertices and triangles
@@ -87,9 +89,16 @@ struct MethodInfo {
   bool frames_are_independent;   // a frame depends on its positions alone: any may be made without the others
   Sees sees;
   std::unique_ptr<Method> (*create)(const MethodOptions&);
+  bool peer = false;  // another project's, which limber was built with (eval/peers/peers.h)
+
+  // Null: it takes every mesh.
+  Result<void> (*check)(const Mesh&) = nullptr;
+
+  // Whether begin() may be called for the mesh. Error kBadInput: the place in the mesh, and why not.
+  Result<void> supports(const Mesh& mesh) const { return check == nullptr ? Result<void>{} : check(mesh); }
 };
 
-// All methods, in the order in which a help text lists them.
+// All methods, in the order in which a help text lists them: ours, then peers.
 std::span<const MethodInfo> methods();
 
 // Nothing where no method has the name.

@@ -3,11 +3,12 @@
 
 #include "eval/methods/factories.h"
 #include "eval/methods/method.h"
+#include "eval/peers/peers.h"
 
 namespace limber::eval {
 namespace {
 
-constexpr MethodInfo kMethods[] = {
+constexpr MethodInfo kOurs[] = {
     {"direct", "every frame by itself, by edge contraction (QSlim)", true, Sees::kFirst, make_direct},
     {"improved", "as direct, its clusters then improved by swaps on the same frame", true, Sees::kFirst, make_improved},
     {"first-frame", "the clusters of the first frame, placed anew in every frame", false, Sees::kFirst,
@@ -29,13 +30,24 @@ constexpr MethodInfo kMethods[] = {
      false, Sees::kFirst, make_t_dag},
 };
 
+std::vector<MethodInfo> ours_and_peers() {
+  std::vector<MethodInfo> all(std::begin(kOurs), std::end(kOurs));
+  const std::span<const MethodInfo> theirs = peers();
+  all.insert(all.end(), theirs.begin(), theirs.end());
+  return all;
+}
+
 }  // namespace
 
-std::span<const MethodInfo> methods() { return kMethods; }
+std::span<const MethodInfo> methods() {
+  static const std::vector<MethodInfo> all = ours_and_peers();
+  return all;
+}
 
 const MethodInfo* find_method(std::string_view name) {
-  const auto* const found = std::ranges::find(kMethods, name, &MethodInfo::name);
-  return found == std::end(kMethods) ? nullptr : found;
+  const std::span<const MethodInfo> all = methods();
+  const auto found = std::ranges::find(all, name, &MethodInfo::name);
+  return found == all.end() ? nullptr : &*found;
 }
 
 void name_corners(const Approximation& approximation, std::vector<Triangle>& ids) {

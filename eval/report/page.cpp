@@ -65,6 +65,21 @@ std::string heading(const Report& report) {
       escaped(report.run.asked), summary_sentence(report.comparison));
 }
 
+std::string peer_note(const Report& report) {
+  const auto is_peer = [](const Contender& contender) { return contender.info->peer; };
+  if (std::ranges::none_of(report.comparison.contenders(), is_peer)) return {};
+  return " Of other projects\xe2\x80\x99 methods, copying the mesh into their own structures is not "
+         "counted; a dash: not known.";
+}
+
+std::string left_out(const Report& report) {
+  std::string html;
+  for (const LeftOut& method : report.run.left_out)
+    html += fmt::format(" <code>{}</code> is left out, it cannot take this clip: {}.", escaped(method.method),
+                        escaped(method.why));
+  return html;
+}
+
 std::string summary_section(const Report& report) {
   return "<section id=\"summary\">\n" + heading(report) + summary_table(report.comparison) +
          fmt::format(
@@ -80,8 +95,8 @@ std::string summary_section(const Report& report) {
              "least angle; 60\xc2\xb0 is the best there is. <i>adapt</i>: deciding what a frame is made of; "
              "<i>list</i>: "
              "listing its triangles; <i>begin</i>: once, before the first frame. Times are of one "
-             "thread.</p>\n</section>\n",
-             escaped(first_name(report)));
+             "thread.{1}{2}</p>\n</section>\n",
+             escaped(first_name(report)), peer_note(report), left_out(report));
 }
 
 std::string error_section(const Report& report) {

@@ -23,6 +23,12 @@ struct ClipFacts {
   double frames_per_second = 24;
 };
 
+// A method that the clip cannot be given to.
+struct LeftOut {
+  std::string method{};
+  std::string why{};
+};
+
 // What somebody needs to make the report again.
 struct RunFacts {
   std::string asked{};                  // "at most 800 vertices"
@@ -32,6 +38,7 @@ struct RunFacts {
   unsigned threads = 1;
   std::string date{};
   DistanceOptions distance{};
+  std::vector<LeftOut> left_out{};
 };
 
 // Refers to what has been measured.

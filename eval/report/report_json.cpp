@@ -24,7 +24,10 @@ Json distribution_json(const ErrorDistribution& distribution, double range) {
 }
 
 Json run_json(const RunFacts& run) {
+  Json left_out = Json::array();
+  for (const LeftOut& method : run.left_out) left_out.push_back({{"method", method.method}, {"why", method.why}});
   return {{"commands", run.commands},
+          {"left_out", left_out},
           {"version", run.version},
           {"compiler", run.compiler},
           {"processor", run.processor},
@@ -113,7 +116,7 @@ std::string report_csv(const Comparison& comparison) {
       csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", measured.number,
                          contender.info->name, made.vertex_count, quality.triangle_count, distance.rms, distance.mean,
                          distance.max, distance.rms_error, or_nothing(measured.flicker), or_nothing(measured.changed),
-                         made.quadric_error, quality.inverted, quality.degenerate, quality.least_angle,
+                         or_nothing(made.quadric_error), quality.inverted, quality.degenerate, quality.least_angle,
                          quality.angle_percentile_5, quality.mean_angle, 1000 * made.adapt_seconds,
                          1000 * made.extract_seconds);
     }

@@ -71,7 +71,7 @@ std::vector<Column> summary_columns(const Comparison& comparison) {
                              s.max.mean,
                              mean_or_nan(s.flicker),
                              100 * mean_or_nan(s.changed),
-                             frame_mean(c, [](const MethodFrame& f) { return f.quadric_error; }),
+                             mean_or_nan(quadric_errors(c)),
                              s.inverted.mean,
                              measure_mean(c, [](const FrameMeasure& f) { return f.quality.mean_angle; }),
                              1000 * frame_mean(c, [](const MethodFrame& f) { return f.adapt_seconds; }),

@@ -48,6 +48,17 @@ TEST(ClipMeasure, SaysNothingAboutChangedTrianglesWithoutIds) {
   EXPECT_TRUE(measure.summary().flicker);
 }
 
+TEST(ClipMeasure, FlickerIsThatOfAllFramesFromTheFirst) {
+  const Shape original = test::sphere(12);
+  ClipMeasure measure(kFew);
+  Flicker flicker(kFew.distance.samples);
+  for (const Index steps : {4u, 5u, 5u, 7u}) {
+    const Shape approximation = test::sphere(steps);
+    EXPECT_EQ(measure.add(original, approximation, {}).flicker, flicker.add(original, ClosestPointTree(approximation)));
+  }
+  EXPECT_GT(measure.frames()[3].flicker, 0);
+}
+
 TEST(ClipMeasure, SummarisesByMeanPercentileAndWorst) {
   const Shape original = test::square(2);
   ClipMeasure measure(kFew);

@@ -67,6 +67,27 @@ TEST(ReportTable, HasALinePerFrameOfEqualWidthAndASummary) {
   EXPECT_THAT(table[5], testing::HasSubstr("17.67767")) << "a quarter of the side, in percent of the diagonal";
 }
 
+TEST(ReportJson, SaysHowItWasSampledAndHowSureItIs) {
+  const Shape fine = test::sphere(20), coarse = test::sphere(5);
+  ClipMeasure measure(
+      {.distance = {.samples = {.per_triangle = 1, .at_least = 3000, .seed = 7}, .sampling = Sampling::kArea}});
+  measure.add(fine, coarse, {});
+  measure.add(fine, test::scaled(coarse, 0.5f), {});
+  const nlohmann::ordered_json sampling = report_json(measure)["sampling"];
+  EXPECT_EQ(sampling["kind"], "area");
+  EXPECT_EQ(sampling["seed"], 7);
+  EXPECT_EQ(sampling["original_samples"], 3000);
+  EXPECT_EQ(sampling["approximation_samples"], 3000);
+  const auto frames = measure.frames();
+  const double largest = std::max(frames[0].distance.rms_error, frames[1].distance.rms_error);
+  EXPECT_GT(largest, 0);
+  EXPECT_DOUBLE_EQ(sampling["rms_within_95"], 1.96 * largest);
+  const std::string line = sampling_line(measure);
+  EXPECT_EQ(line.substr(0, 77), "3000 samples on the original and 3000 on the approximation, uniform by area, ")
+      << line;
+  EXPECT_THAT(line, testing::HasSubstr("seed 7; rms to within "));
+}
+
 TEST(ReportTable, HasNoSummaryForOneFrame) { EXPECT_EQ(lines(report_table(measure_frames(1))).size(), 2u); }
 
 }  // namespace

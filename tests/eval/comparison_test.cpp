@@ -45,6 +45,44 @@ TEST(Comparison, HoldsEveryMethodAgainstTheFirst) {
   EXPECT_NE(comparison_table(comparison).find("relative to direct"), std::string::npos);
 }
 
+// As direct, but keeps its clusters to itself.
+class Silent final : public Method {
+ public:
+  explicit Silent(const MethodOptions& options) : direct_(find_method("direct")->create(options)) {}
+  void begin(const Mesh& mesh, std::span<const std::span<const Vec3f>> seen) override { direct_->begin(mesh, seen); }
+  void frame(std::span<const Vec3f> positions, Approximation& out) override {
+    direct_->frame(positions, out);
+    out.clusters.clear();
+  }
+
+ private:
+  std::unique_ptr<Method> direct_;
+};
+
+TEST(Comparison, AMethodThatDoesNotTellItsClustersHasNoQuadricError) {
+  const auto make = [](const MethodOptions& options) -> std::unique_ptr<Method> {
+    return std::make_unique<Silent>(options);
+  };
+  const MethodInfo silent{"silent", "", true, Sees::kFirst, make};
+  for (const bool silent_first : {false, true}) {
+    const MethodInfo* methods[] = {find_method("direct"), &silent};
+    if (silent_first) std::swap(methods[0], methods[1]);
+    Comparison comparison(methods, {.vertices = 60}, kFew);
+    Mesh mesh;
+    ASSERT_TRUE(compare(comparison, methods, mesh));
+    EXPECT_FALSE(comparison.relative(1).quadric_error);
+    EXPECT_EQ(comparison.relative(1).rms_by_mean, 1);
+    const auto json = comparison_json(comparison);
+    const auto &known = json["methods"][silent_first ? 1 : 0], &unknown = json["methods"][silent_first ? 0 : 1];
+    EXPECT_TRUE(known["quadric_error"]["mean"].is_number());
+    EXPECT_TRUE(known["frames"][0]["quadric_error"].is_number());
+    EXPECT_TRUE(unknown["quadric_error"].is_null());
+    EXPECT_TRUE(unknown["frames"][2]["quadric_error"].is_null());
+    EXPECT_TRUE(unknown["relative"]["quadric_error"].is_null());
+    EXPECT_NE(comparison_table(comparison).find(" -  "), std::string::npos);
+  }
+}
+
 TEST(Comparison, AMethodThatLeavesNothingIsAnError) {
   const MethodInfo* const methods[] = {find_method("direct")};
   MethodOptions options{.vertices = 2};

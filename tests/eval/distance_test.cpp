@@ -56,36 +56,114 @@ TEST(Distance, IsTheLargerOfTheTwoDirections) {
   EXPECT_NEAR(back.rms, 100 / std::sqrt(1.25) * std::sqrt(1.0 / 24), 2e-3 * back.rms) << "percent of the original";
 }
 
-TEST(Distance, OfAnInscribedOctahedronToItsSphereIsTheIntegral) {
-  // The faces lie h from the centre and have the inradius r. A point is 1 - |x| from the sphere, with the mean of |x|
-  // from an integral over the angle, and the mean of |x|^2 = 1/2.
-  const double h = 1 / std::sqrt(3), r = 1 / std::sqrt(6), area = std::sqrt(3) / 2;
-  const auto outer = [&](double angle) {
-    const double squared = h * h + std::pow(r / std::cos(angle), 2);
-    return (squared * std::sqrt(squared) - h * h * h) / 3;
-  };
-  const int steps = 200;
-  double mean_length = 0;
-  for (int i = 0; i < steps; ++i) mean_length += outer((i + 0.5) * std::numbers::pi / 3 / steps);
-  mean_length *= 6 * std::numbers::pi / 3 / steps / area;
+// A regular polyhedron with its vertices on the unit sphere.
+struct Regular {
+  const char* name;
+  Shape shape;
+  int corners;    // of a face
+  double height;  // of the faces above the centre
+};
 
-  const Distance distance = measure_distance(test::sphere(150), test::octahedron(), kFew);
-  const double percent = 100 / (2 * std::sqrt(3));
-  EXPECT_NEAR(distance.to_original.mean, percent * (1 - mean_length), 1e-3 * distance.to_original.mean);
-  EXPECT_NEAR(distance.to_original.rms, percent * std::sqrt(1.5 - 2 * mean_length), 1e-3 * distance.to_original.rms);
-  EXPECT_NEAR(distance.to_original.max, percent * (1 - h), 2e-4 * distance.to_original.max);
+std::vector<Regular> regular_polyhedra() {
+  const float third = static_cast<float>(1 / std::sqrt(3));
+  const Shape tetrahedron{
+      {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}},
+      {{third, third, third}, {-third, -third, third}, {-third, third, -third}, {third, -third, -third}}};
+  Shape cube{{{0, 2, 3},
+              {0, 3, 1},
+              {4, 5, 7},
+              {4, 7, 6},
+              {0, 1, 5},
+              {0, 5, 4},
+              {2, 6, 7},
+              {2, 7, 3},
+              {0, 4, 6},
+              {0, 6, 2},
+              {1, 3, 7},
+              {1, 7, 5}},
+             {}};
+  for (int i = 0; i < 8; ++i)
+    cube.positions.push_back({i & 1 ? third : -third, i & 2 ? third : -third, i & 4 ? third : -third});
+  const double golden = std::numbers::phi, radius = std::sqrt(1 + golden * golden);
+  const float a = static_cast<float>(1 / radius), b = static_cast<float>(golden / radius);
+  const Shape icosahedron{{{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+                           {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+                           {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}},
+                          {{-a, b, 0},
+                           {a, b, 0},
+                           {-a, -b, 0},
+                           {a, -b, 0},
+                           {0, -a, b},
+                           {0, a, b},
+                           {0, -a, -b},
+                           {0, a, -b},
+                           {b, 0, -a},
+                           {b, 0, a},
+                           {-b, 0, -a},
+                           {-b, 0, a}}};
+  const double icosahedron_height = golden * golden / (std::sqrt(3) * radius);
+  return {{"tetrahedron", tetrahedron, 3, 1.0 / 3},
+          {"cube", cube, 4, 1 / std::sqrt(3)},
+          {"octahedron", test::octahedron(), 3, 1 / std::sqrt(3)},
+          {"icosahedron", icosahedron, 3, icosahedron_height}};
+}
+
+struct Moments {
+  double mean, squared;  // of 1 - |x| over the faces
+};
+
+// A point at the distance s from a face's centre is 1 - sqrt(h^2 + s^2) from the sphere. The integrals over s are
+// closed; the one over the angle, from the middle of a side to a corner, is by the midpoint rule.
+Moments distance_to_sphere(const Regular& polyhedron) {
+  const double h = polyhedron.height, sector = std::numbers::pi / polyhedron.corners;
+  const double inradius = std::sqrt(1 - h * h) * std::cos(sector);
+  const int steps = 400;
+  double area = 0, length = 0, squared = 0;
+  for (int i = 0; i < steps; ++i) {
+    const double s = inradius / std::cos((i + 0.5) * sector / steps), outer = h * h + s * s;
+    area += s * s / 2;
+    length += (outer * std::sqrt(outer) - h * h * h) / 3;
+    squared += h * h * s * s / 2 + s * s * s * s / 4;
+  }
+  return {1 - length / area, 1 - 2 * length / area + squared / area};
+}
+
+constexpr double kSpherePercent = 100 / (2 * std::numbers::sqrt3);
+
+TEST(Distance, OfAnInscribedPolyhedronToItsSphereIsTheIntegral) {
+  const Shape sphere = test::sphere(100);
+  for (const Regular& polyhedron : regular_polyhedra()) {
+    SCOPED_TRACE(polyhedron.name);
+    const Moments expected = distance_to_sphere(polyhedron);
+    const Distance distance = measure_distance(sphere, polyhedron.shape, kFew);
+    const OneWayDistance& way = distance.to_original;
+    EXPECT_NEAR(way.mean, kSpherePercent * expected.mean, 2e-3 * way.mean);
+    EXPECT_NEAR(way.rms, kSpherePercent * std::sqrt(expected.squared), 2e-3 * way.rms);
+    EXPECT_NEAR(way.max, kSpherePercent * (1 - polyhedron.height), 1e-3 * way.max);
+    EXPECT_NEAR(distance.to_approximation.max, way.max, 1e-3 * way.max) << "over the middle of a face";
+  }
 }
 
 TEST(Distance, OfAShiftedSphereIsTheCosineOfTheShift) {
-  const double shift = 1.0 / 64;
-  const Shape sphere = test::sphere(150);
-  const Distance distance = measure_distance(sphere, test::shifted(sphere, {0, 0, static_cast<float>(shift)}), kFew);
-  const double percent = 100 / (2 * std::sqrt(3));
-  for (const OneWayDistance& way : {distance.to_approximation, distance.to_original}) {
-    EXPECT_NEAR(way.rms, percent * shift / std::sqrt(3), 1e-2 * way.rms);
-    EXPECT_NEAR(way.mean, percent * shift / 2, 1e-2 * way.mean);
-    EXPECT_NEAR(way.max, percent * shift, 1e-3 * way.max);
+  // sqrt(1 - 2 d c + d^2) - 1 over c in [-1, 1]: its square has the mean d^2 / 3, its size the mean d / 2.
+  const Shape sphere = test::sphere(80);
+  for (const float shift : {1.0f / 8, 1.0f / 4}) {
+    const Distance distance = measure_distance(sphere, test::shifted(sphere, {0, 0, shift}), kFew);
+    for (const OneWayDistance& way : {distance.to_approximation, distance.to_original}) {
+      EXPECT_NEAR(way.rms, kSpherePercent * shift / std::sqrt(3), 3e-3 * way.rms) << shift;
+      EXPECT_NEAR(way.mean, kSpherePercent * shift / 2, 3e-3 * way.mean) << shift;
+      EXPECT_NEAR(way.max, kSpherePercent * shift, 1e-3 * way.max) << shift;
+    }
   }
+}
+
+TEST(Distance, OfParallelPlanesIsTheirDistanceWhicheverWayItIsSampled) {
+  DistanceOptions metro = kFew;
+  metro.sampling = Sampling::kMetro;
+  const Distance distance = measure_distance(test::square(8), test::square(3, 0.25f), metro);
+  EXPECT_NEAR(distance.rms, 25 / std::sqrt(2), 1e-9);
+  EXPECT_NEAR(distance.mean, 25 / std::sqrt(2), 1e-9);
+  EXPECT_GT(distance.to_original.sample_count, 19'000u);
 }
 
 TEST(Distance, IsTheSameAtEveryScale) {
@@ -139,6 +217,22 @@ TEST(Distance, KnowsItsOwnError) {
   const double spread = std::sqrt((squares - sum * sum / seeds) / (seeds - 1));
   EXPECT_LT(spread, 1.5 * stated);
   EXPECT_LT(stated, 0.02 * sum / seeds);
+}
+
+TEST(Distance, TheTruthLiesWithinItsConfidence) {
+  const Regular cube = regular_polyhedra()[1];
+  const double truth = kSpherePercent * std::sqrt(distance_to_sphere(cube).squared);
+  const Shape sphere = test::sphere(80);
+  const ClosestPointTree sphere_tree(sphere), cube_tree(cube.shape);
+  const int seeds = 40;
+  int covered = 0;
+  for (int seed = 0; seed < seeds; ++seed) {
+    const DistanceOptions options{
+        .samples = {.per_triangle = 0, .at_least = 500, .seed = static_cast<std::uint64_t>(seed)}};
+    const OneWayDistance way = measure_distance(sphere, sphere_tree, cube.shape, cube_tree, options).to_original;
+    if (std::abs(way.rms - truth) <= 1.96 * way.rms_error) ++covered;
+  }
+  EXPECT_GE(covered, 0.9 * seeds);
 }
 
 TEST(Distance, FindsTheMaximumWhateverTheSeed) {

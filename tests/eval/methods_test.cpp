@@ -51,7 +51,9 @@ TEST_F(Methods, KeepToTheVertexCountAndGiveWholeMeshes) {
       EXPECT_FALSE(made.triangles.empty());
       ASSERT_EQ(made.nodes.size(), made.positions.size());
       EXPECT_EQ(std::set<Index>(made.nodes.begin(), made.nodes.end()).size(), made.nodes.size()) << info.name;
-      ASSERT_EQ(made.clusters.size(), mesh_.vertex_count);
+      if (!info.peer) {
+        ASSERT_EQ(made.clusters.size(), mesh_.vertex_count);
+      }
       for (const Triangle& t : made.triangles) EXPECT_LT(*std::ranges::max_element(t), made.positions.size());
       EXPECT_GT(made.adapt_seconds, 0) << info.name;
     }

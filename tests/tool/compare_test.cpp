@@ -5,6 +5,7 @@
 
 #include "eval/methods/method.h"
 #include "tests/support/markup.h"
+#include "tests/tool/fin.h"
 #include "tests/tool/run.h"
 
 namespace limber::test {
@@ -83,6 +84,32 @@ TEST_F(CompareVerb, TakesEveryMethodWhereNoneIsNamed) {
   EXPECT_EQ(ran.json()["methods"].size(), eval::methods().size());
   EXPECT_EQ(ran.json()["methods"][0]["method"], "direct");
   EXPECT_THAT(bytes(path("report/index.html")), HasSubstr("limber stream"));
+}
+
+TEST_F(CompareVerb, LeavesOutAMethodThatCannotTakeTheClipUnlessItIsNamed) {
+  if (std::ranges::all_of(eval::methods(), [](const eval::MethodInfo& info) { return info.check == nullptr; }))
+    GTEST_SKIP() << "every method of this build takes every clip";
+  write(path("fin.obj"), square_with_a_fin());
+  const std::vector<std::string> all{"compare", path("fin.obj"), "--vertices", "40", "--samples", "500",
+                                     "-o",      path("report"),  "--json"};
+  const Ran ran = run(all);
+  ASSERT_EQ(ran.exit, Exit::kDone) << ran.err;
+  const auto json = ran.json();
+  const std::string page = bytes(path("report/index.html"));
+  std::size_t left_out = 0;
+  for (const eval::MethodInfo& method : eval::methods()) {
+    if (method.check == nullptr) continue;
+    const std::string name(method.name);
+    ++left_out;
+    EXPECT_THAT(ran.err, HasSubstr(name + " is left out, it cannot take this clip: edge between"));
+    EXPECT_THAT(page, HasSubstr("<code>" + name + "</code> is left out"));
+    std::vector<std::string> named = all;
+    named.insert(named.end(), {"--method", "direct," + name, "-f"});
+    EXPECT_EQ(run(named).exit, Exit::kBadInput);
+  }
+  EXPECT_EQ(json["methods"].size(), eval::methods().size() - left_out);
+  EXPECT_EQ(json["run"]["left_out"].size(), left_out);
+  EXPECT_EQ(markup_fault(page), "");
 }
 
 TEST_F(CompareVerb, AnExistingReportStaysWithoutForce) {

@@ -3,6 +3,7 @@
 
 #include "eval/methods/method.h"
 #include "limber/clip/mesh_file.h"
+#include "tests/tool/fin.h"
 #include "tests/tool/run.h"
 
 namespace limber::test {
@@ -61,6 +62,28 @@ TEST_F(SimplifyVerb, AnExistingOutputStaysWithoutForce) {
   const Ran ran = run({"simplify", kSample, "--method", "direct", "--vertices", "80", "-o", path("%04d.obj")});
   EXPECT_EQ(ran.exit, Exit::kFailure);
   EXPECT_EQ(names(), std::vector<std::string>{"0001.obj"});
+}
+
+TEST_F(SimplifyVerb, AMethodThatCannotTakeTheClipIsBadInput) {
+  write(path("fin.obj"), square_with_a_fin());
+  for (const eval::MethodInfo& method : eval::methods()) {
+    const Ran ran =
+        run({"simplify", path("fin.obj"), "--method", std::string(method.name), "--vertices", "40", "--measure"});
+    EXPECT_EQ(ran.exit, method.check == nullptr ? Exit::kDone : Exit::kBadInput) << method.name;
+    if (method.check == nullptr) continue;
+    EXPECT_THAT(ran.err, HasSubstr("fin.obj: " + std::string(method.name) +
+                                   " cannot take this clip: edge between "
+                                   "vertices 40 and 41: lies on 3 triangles"));
+  }
+}
+
+TEST_F(SimplifyVerb, AMissingPeerNamesWhatToInstall) {
+  for (const char* const name : {"meshoptimizer", "cgal-lindstrom-turk", "cgal-garland-heckbert"}) {
+    if (eval::find_method(name) != nullptr) continue;
+    const Ran ran = run({"simplify", kSample, "--method", name, "--vertices", "80", "--measure"});
+    EXPECT_EQ(ran.exit, Exit::kUsage);
+    EXPECT_THAT(ran.err, HasSubstr("built without "));
+  }
 }
 
 TEST_F(SimplifyVerb, ArgumentsThatMakeNoSenseAreRefused) {
