@@ -35,6 +35,9 @@ class Surface {
   // Vertices that have an edge or had one: what contraction can make fewer.
   Index vertex_count() const { return vertex_count_; }
 
+  // How many triangles v has, counting some that are gone.
+  Index triangle_bound(Index v) const { return vertices_[v].triangles.count; }
+
   // visit(edge, other end) for each living edge of v; visit(triangle) for each living triangle of v.
   template <class Visit>
   void for_each_edge(Index v, Visit&& visit);
