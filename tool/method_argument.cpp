@@ -51,8 +51,10 @@ void check_placement(const MethodArgument& argument, std::span<const eval::Metho
   if (argument.options.contract.placement == Placement::kQuadric) return;
   for (const eval::MethodInfo* info : chosen) {
     if (info->name == "direct" || info->name == "direct-volume") continue;
-    throw UsageError(fmt::format("--placement volume is for --method direct: it simplifies one frame by itself, and {} "
-                                 "needs the quadrics of many", info->name));
+    throw UsageError(
+        fmt::format("--placement volume is for --method direct: it simplifies one frame by itself, and {} "
+                    "needs the quadrics of many",
+                    info->name));
   }
 }
 

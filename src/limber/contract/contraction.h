@@ -30,8 +30,8 @@ enum class FrameCost {
 // What a contraction costs, and where it puts its vertex.
 enum class Placement {
   kQuadric,  // Garland & Heckbert 1997: least squared distance to the planes of the input (Contractor)
-  kVolume,   // Lindstrom & Turk 1998: least change of the current surface that keeps its volume and its borders where
-             // they are (VolumeContractor); one frame. Closer to the surface, most of all on thin sheets, and slower
+  kVolume,  // Lindstrom & Turk 1998: least squared volume between the surface as it is before and after, and least area
+            // along its borders and sharp edges (VolumeContractor). One frame; closer to the surface, and slower
 };
 
 struct ContractOptions {

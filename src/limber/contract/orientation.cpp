@@ -50,7 +50,8 @@ Neighbours find_neighbours(const Mesh& mesh) {
     for (Index h = begin[v]; h < begin[v + 1]; ++h) {
       const Met& edge = met[half_edges[h].larger];
       const Index beyond = h == edge.first ? edge.second : edge.first;
-      if (edge.triangle_count == 2) neighbours[half_edges[h].triangle][half_edges[h].edge] = half_edges[beyond].triangle;
+      if (edge.triangle_count == 2)
+        neighbours[half_edges[h].triangle][half_edges[h].edge] = half_edges[beyond].triangle;
     }
   }
   return neighbours;

@@ -18,6 +18,7 @@
 #include <limits>
 #include <utility>
 
+#include "limber/contract/fetch.h"
 #include "limber/contract/orientation.h"
 
 namespace limber {
@@ -29,7 +30,7 @@ std::array<Index, 2> corners_after(const Triangle& t, Index corner) {
   return {t[is_second ? 2 : !is_third], t[is_second ? 0 : 2 - is_third]};
 }
 
-bool has_corner(const Triangle& t, Index v) { return (t[0] == v) | (t[1] == v) | (t[2] == v); }
+bool has_corner(const Triangle& t, Index v) { return t[0] == v || t[1] == v || t[2] == v; }
 
 }  // namespace
 
@@ -118,7 +119,7 @@ bool VolumeContractor::folds_over(Index edge, const Vec3d& point) {
     const Index other = u ^ v ^ end;
     surface_.for_each_triangle(end, [&](Index t) {
       const auto [b, c] = corners_after(surface_.triangle(t), end);
-      if (found | (b == other) | (c == other)) return;
+      if (found || b == other || c == other) return;
       const Facet& facet = facets_[t];
       found = facet.area > 0 && dot(cross(positions_[b] - point, positions_[c] - point), facet.normal) <= 0;
     });
@@ -150,6 +151,38 @@ void VolumeContractor::apply(Index edge, const Vec3d& point) {
   for (const Index e : again_) enqueue(e);
 }
 
+void VolumeContractor::fetch_step(Index edge, int step) const {
+  switch (step) {
+    case 0:
+      return surface_.fetch_edge(edge);
+    case 1:
+      return surface_.fetch_ends(edge, [this](Index v) {
+        fetch(&stars_[v].xx);
+        fetch(&stars_[v].zz);
+        fetch(&positions_[v]);
+        fetch(&is_old_star_[v]);
+      });
+    case 2:
+      return surface_.fetch_runs(edge);
+    case 3:
+      surface_.fetch_records(edge);
+      return surface_.fetch_triangles(edge, [this](Index t) { fetch(&facets_[t]); });
+    default:
+      return surface_.fetch_neighbours(edge, [this](Index v) {
+        fetch(&positions_[v]);
+        fetch(&met_[v]);
+      });
+  }
+}
+
+// What the next contractions will touch is on its way while this one is made.
+void VolumeContractor::fetch_ahead() const {
+  for (int step = 0; step < 5; ++step) {
+    const Index e = queue_.upcoming(static_cast<std::size_t>(9 - 2 * step));
+    if (e != kNone && state_[e] == EdgeState::kPriced) fetch_step(e, step);
+  }
+}
+
 Index VolumeContractor::contract_to(Index target) {
   bool progress = true;
   const auto reprice = [this](Index edge, float old_cost) {
@@ -159,17 +192,29 @@ Index VolumeContractor::contract_to(Index target) {
     state_[edge] = EdgeState::kPriced;
     return static_cast<float>(placement(edge).cost);
   };
+  // The queue names an edge 16 edges before its turn: its steps are made then, and when it names those that follow.
+  std::array<Index, 16> named{};
+  std::size_t name_count = 0;
+  const auto fetch_early = [&](Index edge) {
+    named[name_count++ % 16] = edge;
+    for (int step = 0; step < 5; ++step) {
+      const Index e = named[(name_count - 1 - 3 * static_cast<std::size_t>(step)) % 16];
+      if (state_[e] == EdgeState::kStale) fetch_step(e, step);
+    }
+  };
+  const auto advance = [&] { return queue_.advance(reprice, fetch_early, [](Index) {}); };
   while (surface_.vertex_count() > target && goes_on()) {
-    if (!queue_.advance(reprice)) {
+    if (!advance()) {
       if (!progress && !check_fold_over_) break;
       check_fold_over_ = progress && check_fold_over_;
       progress = false;
       for (Index e = 0; e < surface_.edge_count(); ++e)
         if (state_[e] == EdgeState::kPutOff) enqueue(e);
-      if (!queue_.advance(reprice)) break;
+      if (!advance()) break;
     }
     const Index edge = queue_.front();
     queue_.pop();
+    fetch_ahead();
     if (state_[edge] == EdgeState::kGone) continue;
     if (state_[edge] == EdgeState::kStale) {
       enqueue(edge);

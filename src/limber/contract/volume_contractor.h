@@ -20,8 +20,8 @@ namespace limber {
 // Contracts the edges of one frame, cheapest first; for what they cost see volume_placement.h.
 class VolumeContractor final : public Contraction {
  public:
-  // positions: [mesh.vertex_count], finite; need not live on. go_on is asked here and in contract_to(): before each pass
-  // over the mesh, and about every thousand edges. Of the options only `topology` is looked at.
+  // positions: [mesh.vertex_count], finite; need not live on. go_on is asked here and in contract_to(): before each
+  // pass over the mesh, and about every thousand edges. Of the options only `topology` is looked at.
   VolumeContractor(const Mesh& mesh, std::span<const Vec3f> positions, const ContractOptions& options,
                    GoOnFunction go_on = {});
 
@@ -42,6 +42,9 @@ class VolumeContractor final : public Contraction {
     std::array<Index, 2> triangles{};
   };
 
+  // In five steps, the first 0, each some time after the one before.
+  void fetch_step(Index edge, int step) const;
+  void fetch_ahead() const;
   void update_facet(Index triangle);
   const SymmetricMatrix& star(Index v);
   void update_star(Index v);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the vertex that an edge is contracted to goes, and what that costs: volume and boundary optimisation of Lindstrom
-// & Turk 1998, section 4. Differences: docs/design.md, "Volume placement".
+// Where the vertex that an edge is contracted to goes, and what that costs: volume and boundary optimisation of
+// Lindstrom & Turk 1998, section 4. Differences: docs/design.md, "Volume placement".
 //
-// A star is the surface around a vertex. Seen from its vertex it is a pure quadratic form, because all of its planes pass
-// through the vertex: nothing is lost to cancellation, however small the star is.
+// A star is the surface around a vertex. Seen from its vertex it is a pure quadratic form, because all of its planes
+// pass through the vertex: nothing is lost to cancellation, however small the star is.
 #pragma once
 
 #include <algorithm>
@@ -28,8 +28,8 @@ struct Facet {
 // The squared volume between the triangle and x, divided by the area: what the triangle adds to x'Sx for its corners.
 inline void add_facet(SymmetricMatrix& star, const Facet& facet) { star.add_along(facet.normal, facet.area); }
 
-// How far an edge between two triangles is held as if it were a border: from nothing where the surface turns by 60 degrees
-// to 1 where it turns back on itself, as on the rim of a thin sheet, which loses no volume by retracting.
+// How far an edge between two triangles is held as if it were a border: from nothing where the surface turns by 60
+// degrees to 1 where it turns back on itself, as on the rim of a thin sheet, which loses no volume by retracting.
 inline double rim_weight(const Facet& a, const Facet& b) { return std::max(0.5 - dot(a.normal, b.normal), 0.0) / 1.5; }
 
 // That of an edge on one triangle alone, or on more than two.
@@ -39,7 +39,7 @@ inline constexpr double kBorderWeight = 1;
 inline void add_rim(SymmetricMatrix& star, const Vec3d& edge, double weight) { star.add_across(edge, weight); }
 
 // A little of the squared distance to the vertex itself, for regions that are flat. The last thing added to a star.
-inline void add_center(SymmetricMatrix& star) { star.add_diagonal(1e-5 * star.trace()); }
+inline void add_center(SymmetricMatrix& star) { star.add_diagonal(1e-6 * star.trace()); }
 
 struct VolumePlacement {
   Vec3d point;      // seen from the middle of the edge
