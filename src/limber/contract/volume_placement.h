@@ -32,8 +32,8 @@ inline void add_facet(SymmetricMatrix& star, const Facet& facet) { star.add_alon
 // degrees to 1 where it turns back on itself, as on the rim of a thin sheet, which loses no volume by retracting.
 inline double rim_weight(const Facet& a, const Facet& b) { return std::max(0.5 - dot(a.normal, b.normal), 0.0) / 1.5; }
 
-// That of an edge on one triangle alone, or on more than two.
-inline constexpr double kBorderWeight = 1;
+// That of an edge that is on one triangle alone, or on more than two.
+inline constexpr double kBorderWeight = 2;
 
 // The squared area between the edge and x: what the edge adds to x'Sx for its ends.
 inline void add_rim(SymmetricMatrix& star, const Vec3d& edge, double weight) { star.add_across(edge, weight); }
