@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <gtest/gtest.h>
-#include <limits>
 
 #include "limber/contract/contract.h"
 #include "tests/support/shapes.h"

@@ -13,9 +13,7 @@
 // edge whose cost has fallen is found only when its old cost comes to the front.
 #include "limber/contract/volume_contractor.h"
 
-#include <algorithm>
 #include <cassert>
-#include <limits>
 #include <utility>
 
 #include "limber/contract/fetch.h"
