@@ -7,6 +7,6 @@
 namespace limber::eval {
 
 // Contracts to at most options.vertices, or to at most options.triangles; or as near as the topology allows.
-void contract_to_size(Contractor& contractor, const Mesh& mesh, const MethodOptions& options);
+void contract_to_size(Contraction& contraction, const Mesh& mesh, const MethodOptions& options);
 
 }  // namespace limber::eval

@@ -9,6 +9,7 @@
 namespace limber::eval {
 
 std::unique_ptr<Method> make_direct(const MethodOptions& options);
+std::unique_ptr<Method> make_direct_volume(const MethodOptions& options);
 std::unique_ptr<Method> make_improved(const MethodOptions& options);
 std::unique_ptr<Method> make_first_frame(const MethodOptions& options);
 std::unique_ptr<Method> make_rest_pose(const MethodOptions& options);

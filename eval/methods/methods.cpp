@@ -10,6 +10,8 @@ namespace {
 
 constexpr MethodInfo kOurs[] = {
     {"direct", "every frame by itself, by edge contraction (QSlim)", true, Sees::kFirst, make_direct},
+    {"direct-volume", "as direct, by what keeps the volume and the borders (Lindstrom & Turk)", true, Sees::kFirst,
+     make_direct_volume},
     {"improved", "as direct, its clusters then improved by swaps on the same frame", true, Sees::kFirst, make_improved},
     {"first-frame", "the clusters of the first frame, placed anew in every frame", false, Sees::kFirst,
      make_first_frame},

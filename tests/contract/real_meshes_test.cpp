@@ -64,6 +64,27 @@ TEST_P(RealMesh, GoesToATenthAndToAHundredthInBothTopologies) {
   for (const bool coarse : {false, true}) EXPECT_LE(reached[1][coarse], reached[0][coarse]);
 }
 
+TEST_P(RealMesh, GoesToATenthByVolumePlacement) {
+  Box box;
+  for (const Vec3f& p : file.positions) box.add(static_cast<Vec3d>(p));
+  const double area = area_of(file.mesh.triangles, file.positions);
+  for (const Topology topology : {Topology::kPreserve, Topology::kFree}) {
+    const ContractOptions by_quadrics{.topology = topology, .quadrics = {}};
+    const ContractOptions by_volume{.topology = topology, .quadrics = {}, .placement = Placement::kVolume};
+    const Index target = start_contraction(file.mesh, file.positions, by_volume)->vertex_count() / 10;
+    const Simplified usual = simplify(file.mesh, file.positions, target, by_quadrics);
+    const Simplified result = simplify(file.mesh, file.positions, target, by_volume);
+    EXPECT_LE(result.mesh.vertex_count, std::max(target, usual.mesh.vertex_count + usual.mesh.vertex_count / 50 + 4));
+    for (const Vec3f& p : result.positions) {
+      ASSERT_TRUE(is_finite(p));
+      const double off = std::max(
+          {box.low.x - p.x, box.low.y - p.y, box.low.z - p.z, p.x - box.high.x, p.y - box.high.y, p.z - box.high.z});
+      ASSERT_LT(off, 0.08 * box.diagonal()) << "a spike";
+    }
+    if (topology == Topology::kPreserve) EXPECT_NEAR(area_of(result.mesh.triangles, result.positions) / area, 1, 0.3);
+  }
+}
+
 TEST_P(RealMesh, HasASoundHierarchyInBothTopologies) {
   const std::span<const Vec3f> frames[] = {file.positions};
   for (const Topology topology : {Topology::kPreserve, Topology::kFree}) {

@@ -86,6 +86,17 @@ TEST_F(SimplifyVerb, AMissingPeerNamesWhatToInstall) {
   }
 }
 
+TEST_F(SimplifyVerb, PlacementByVolumeIsTheMethodOfThatName) {
+  ASSERT_EQ(run({"simplify", kSample, "--method", "direct", "--placement", "volume", "--vertices", "80", "-o",
+                 path("a%d.obj")})
+                .exit,
+            Exit::kDone);
+  ASSERT_EQ(run({"simplify", kSample, "--method", "direct-volume", "--vertices", "80", "-o", path("b%d.obj")}).exit,
+            Exit::kDone);
+  for (const char* const frame : {"0.obj", "7.obj"})
+    EXPECT_EQ(bytes(path(std::string("a") + frame)), bytes(path(std::string("b") + frame)));
+}
+
 TEST_F(SimplifyVerb, ArgumentsThatMakeNoSenseAreRefused) {
   const auto exit = [](std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), {"simplify", kSample});
@@ -97,6 +108,9 @@ TEST_F(SimplifyVerb, ArgumentsThatMakeNoSenseAreRefused) {
   EXPECT_EQ(exit({"--method", "direct", "--vertices", "80", "--ratio", "0.5", "--measure"}), Exit::kUsage);
   EXPECT_EQ(exit({"--method", "direct", "--ratio", "1.5", "--measure"}), Exit::kUsage);
   EXPECT_EQ(exit({"--method", "direct,multilevel", "--vertices", "80", "-o", "a%d.obj"}), Exit::kUsage);
+  EXPECT_EQ(exit({"--method", "direct,multilevel", "--placement", "volume", "--vertices", "80", "--measure"}),
+            Exit::kUsage);
+  EXPECT_EQ(exit({"--method", "direct", "--placement", "linear", "--vertices", "80", "--measure"}), Exit::kUsage);
   EXPECT_EQ(exit({"--method", "multilevel", "--levels", "80,90", "--vertices", "80", "--measure"}), Exit::kUsage);
 }
 

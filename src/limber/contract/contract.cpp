@@ -18,29 +18,17 @@
 #include <cassert>
 #include <utility>
 
-#include "limber/contract/edges.h"
+#include "limber/contract/volume_contractor.h"
 
 namespace limber {
 
-namespace {
-
-constexpr Index kStepsUnasked = 1024;
-
-}  // namespace
-
 Contractor::Contractor(const Mesh& mesh, std::span<const std::span<const Vec3f>> frames, const ContractOptions& options,
                        GoOnFunction go_on, const ChangeQuadricsFunction& change_quadrics)
-    : options_(options), go_on_(std::move(go_on)), frame_count_(frames.size()), minima_(frames.size()) {
-  assert(!frames.empty());
-  SpatialMesh placed = in_spatial_order(mesh, frames[0]);
-  order_ = std::move(placed.order);
-  places_ = std::move(placed.places);
-  if (!goes_on(kStepsUnasked)) return;
-  const Edges edges = find_edges(placed.mesh);
-  if (!goes_on(kStepsUnasked)) return;
-  surface_ = Surface(placed.mesh, edges);
-  VertexQuadrics vertex_quadrics(placed.mesh, edges, options.quadrics);
-  merged_into_.resize(order_.size(), kNone);
+    : Contraction(std::move(go_on)), options_(options), frame_count_(frames.size()), minima_(frames.size()) {
+  assert(!frames.empty() && options.placement == Placement::kQuadric);
+  const Placed placed = adopt(mesh, frames[0]);
+  if (is_cancelled()) return;
+  VertexQuadrics vertex_quadrics(placed.mesh, placed.edges, options.quadrics);
   if (!goes_on(kStepsUnasked)) return;
 
   const std::size_t quadric_count = order_.size() * frame_count_;
@@ -77,13 +65,6 @@ Contractor::Contractor(const Mesh& mesh, std::span<const std::span<const Vec3f>>
   queue_ = CostQueue(surface_.edge_count());
   state_.resize(surface_.edge_count());
   for (Index e = 0; e < surface_.edge_count() && goes_on(); ++e) enqueue(e);
-}
-
-bool Contractor::goes_on(Index steps) {
-  if (!go_on_ || (steps_ += steps) < kStepsUnasked) return !is_cancelled_;
-  steps_ = 0;
-  is_cancelled_ = is_cancelled_ || !go_on_();
-  return !is_cancelled_;
 }
 
 float Contractor::cost(Index edge) const {
@@ -158,15 +139,6 @@ void Contractor::fetch_ahead() const {
   next(1, [this](Index e) { surface_.fetch_neighbours(e, [this](Index v) { fetch(&positions_[v * frame_count_]); }); });
 }
 
-// Lets every vertex lead to its representative at once.
-void Contractor::shorten_chains() {
-  for (Index v = 0; v < merged_into_.size(); ++v) {
-    Index root = v;
-    while (merged_into_[root] != kNone) root = merged_into_[root];
-    for (Index at = v; at != root;) at = std::exchange(merged_into_[at], root);
-  }
-}
-
 Index Contractor::contract_to(Index target) {
   bool progress = true;
   const auto reprice = [this](Index edge, float old_cost) {
@@ -214,22 +186,23 @@ Index Contractor::contract_to(Index target) {
   return surface_.vertex_count();
 }
 
-Index Contractor::representative(Index v) const {
-  Index place = places_[v];
-  while (merged_into_[place] != kNone) place = merged_into_[place];
-  return order_[place];
-}
-
 Vec3f Contractor::position(Index representative, std::size_t frame) const {
   const Index place = places_[representative];
   assert(merged_into_[place] == kNone && frame < frame_count_);
   return normalizations_[frame].from_unit(static_cast<Vec3d>(positions_[place * frame_count_ + frame]));
 }
 
-Simplified simplified_mesh(const Contractor& contractor, const Mesh& mesh, std::size_t frame) {
+std::unique_ptr<Contraction> start_contraction(const Mesh& mesh, std::span<const Vec3f> positions,
+                                               const ContractOptions& options, GoOnFunction go_on) {
+  if (options.placement == Placement::kVolume)
+    return std::make_unique<VolumeContractor>(mesh, positions, options, std::move(go_on));
+  return std::make_unique<Contractor>(mesh, std::span(&positions, 1), options, std::move(go_on));
+}
+
+Simplified simplified_mesh(const Contraction& contraction, const Mesh& mesh, std::size_t frame) {
   Simplified out;
   std::vector<Index> representative(mesh.vertex_count), new_index(mesh.vertex_count, kNone);
-  for (Index v = 0; v < mesh.vertex_count; ++v) representative[v] = contractor.representative(v);
+  for (Index v = 0; v < mesh.vertex_count; ++v) representative[v] = contraction.representative(v);
   for (const Triangle& t : mesh.triangles) {
     Triangle image{representative[t[0]], representative[t[1]], representative[t[2]]};
     if (is_degenerate(image)) continue;
@@ -238,7 +211,7 @@ Simplified simplified_mesh(const Contractor& contractor, const Mesh& mesh, std::
       if (index == kNone) {
         index = static_cast<Index>(out.vertices.size());
         out.vertices.push_back(corner);
-        out.positions.push_back(contractor.position(corner, frame));
+        out.positions.push_back(contraction.position(corner, frame));
       }
       corner = index;
     }
@@ -250,10 +223,9 @@ Simplified simplified_mesh(const Contractor& contractor, const Mesh& mesh, std::
 
 Simplified simplify(const Mesh& mesh, std::span<const Vec3f> positions, Index vertex_count,
                     const ContractOptions& options) {
-  const std::span<const Vec3f> frames[] = {positions};
-  Contractor contractor(mesh, frames, options);
-  contractor.contract_to(vertex_count);
-  return simplified_mesh(contractor, mesh, 0);
+  const auto contraction = start_contraction(mesh, positions, options);
+  contraction->contract_to(vertex_count);
+  return simplified_mesh(*contraction, mesh, 0);
 }
 
 }  // namespace limber

@@ -35,6 +35,9 @@ class Surface {
   // Vertices that have an edge or had one: what contraction can make fewer.
   Index vertex_count() const { return vertex_count_; }
 
+  // How many triangles v has, counting some that are gone.
+  Index triangle_bound(Index v) const { return vertices_[v].triangles.count; }
+
   // visit(edge, other end) for each living edge of v; visit(triangle) for each living triangle of v.
   template <class Visit>
   void for_each_edge(Index v, Visit&& visit);
@@ -51,6 +54,10 @@ class Surface {
   void fetch_records(Index edge) const;
   template <class Visit>
   void fetch_neighbours(Index edge, Visit&& visit) const;
+  // Goes with the fourth step for those who keep something by triangle: visit(triangle) for each triangle of the ends,
+  // some maybe dead.
+  template <class Visit>
+  void fetch_triangles(Index edge, Visit&& visit) const;
 
   // Whether the contraction of a living edge keeps the surface homeomorphic: the link condition of Dey,
   // Edelsbrunner, Guha & Nekhayev 1998, where borders and non-manifold edges are joined to one vertex outside.
@@ -121,6 +128,15 @@ void Surface::fetch_neighbours(Index edge, Visit&& visit) const {
       fetch(&marks_[v]);
       visit(v);
     }
+  }
+}
+
+template <class Visit>
+void Surface::fetch_triangles(Index edge, Visit&& visit) const {
+  if (!is_alive(edge)) return;
+  for (const Index end : ends(edge)) {
+    const Run& run = vertices_[end].triangles;
+    for (Index i = 0; i < run.count; ++i) visit(triangles_of_[run.begin + i]);
   }
 }
 
