@@ -64,8 +64,7 @@ void LevelFit::go_up(Index level) {
 
 Index LevelFit::sample_level(Index level) const {
   Index samples = level - 1;
-  while (samples > 0 &&
-         hierarchy_.level_size(samples) < std::uint64_t{kSamplesPerNode} * hierarchy_.level_size(level))
+  while (samples > 0 && hierarchy_.level_size(samples) < std::uint64_t{kSamplesPerNode} * hierarchy_.level_size(level))
     --samples;
   return samples;
 }
@@ -150,8 +149,16 @@ void LevelFit::move(Index node, const Quadric& q, double anchor, Vec3d& x) const
   const Vec3d slope{q.xx * x.x + q.xy * x.y + q.xz * x.z + q.bx, q.xy * x.x + q.yy * x.y + q.yz * x.z + q.by,
                     q.xz * x.x + q.yz * x.y + q.zz * x.z + q.bz};
   const Vec3d b = slope * anchor - p.force;
-  const Quadric from_here{p.xx + anchor * q.xx, p.xy + anchor * q.xy, p.xz + anchor * q.xz, p.yy + anchor * q.yy,
-                          p.yz + anchor * q.yz, p.zz + anchor * q.zz, b.x, b.y, b.z, 0};
+  const Quadric from_here{p.xx + anchor * q.xx,
+                          p.xy + anchor * q.xy,
+                          p.xz + anchor * q.xz,
+                          p.yy + anchor * q.yy,
+                          p.yz + anchor * q.yz,
+                          p.zz + anchor * q.zz,
+                          b.x,
+                          b.y,
+                          b.z,
+                          0};
   x = x + minimum(from_here).point;
 }
 

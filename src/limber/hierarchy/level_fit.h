@@ -33,15 +33,15 @@ class LevelFit {
  private:
   // A triangle as seen from one of its corners, the origin.
   struct Wedge {
-    Vec3d to_a, to_b;              // the other corners
-    double aa, ab, bb;             // scalar products of these
+    Vec3d to_a, to_b;                    // the other corners
+    double aa, ab, bb;                   // scalar products of these
     double by_det, by_aa, by_bb, by_cc;  // reciprocals; cc is the side across from the origin. 0 where there is none
     Index a, b;
   };
   // A point on a wedge.
   struct Place {
-    double gain = -1;      // by how much its squared distance is less than that of the origin
-    double a = 0, b = 0;   // barycentric
+    double gain = -1;     // by how much its squared distance is less than that of the origin
+    double a = 0, b = 0;  // barycentric
     const Wedge* wedge = nullptr;
   };
   // What pulls at a node: sum of w dd', and of w r, with r the way to the finest surface and d its direction.
