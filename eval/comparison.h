@@ -24,6 +24,7 @@ struct MethodFrame {
   double quadric_error = 0;  // see QuadricError
   double adapt_seconds = 0;  // see Approximation
   double extract_seconds = 0;
+  std::size_t choice_bytes = 0;  // see Approximation
 };
 
 struct Contender {
@@ -43,6 +44,9 @@ struct Relative {
   double quadric_error = 1;  // mean / mean
   double adapt_time = 1;     // mean / mean
 };
+
+// The rms of a frame over that of another approximation of it; where both are nothing, 1.
+double rms_ratio(const FrameMeasure& frame, const FrameMeasure& first);
 
 class Comparison {
  public:
