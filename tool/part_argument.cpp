@@ -19,6 +19,8 @@ eval::PartBall parse_part(const std::string& text) {
   };
   const std::size_t equals = text.find('=');
   if (equals == 0 || equals == std::string::npos) throw refuse();
+  if (text.find_first_of("/\\:*?\"<>| ") < equals)
+    throw UsageError(fmt::format("--part {}: the name becomes that of a file: leave out spaces and slashes", text));
   double numbers[4] = {};
   const char* at = text.data() + equals + 1;
   const char* const last = text.data() + text.size();

@@ -33,7 +33,8 @@ constexpr Verb kVerbs[] = {
     {"compare", "Compare all methods on a clip, in a report to look at",
      "limber compare 'horse/%04d.obj' --vertices 800 -o report/\n"
      "limber compare cloth.pc2 --ratio 0.05 --method direct,first-frame,multilevel --view 60,20 -o report/\n"
-     "limber compare 'horse/%04d.obj' --vertices 800 --sweep unified=1,0.96,0.8 --part ear=0.07,1.33,0.56,0.07 -o report/\n",
+     "limber compare 'horse/%04d.obj' --vertices 800 --sweep unified=1,0.96,0.8 --part ear=0.07,1.33,0.56,0.07 -o "
+     "report/\n",
      declare_compare},
     {"check", "Test a stream, and every invariant of every frame",
      "limber check horse.limber\n"

@@ -257,7 +257,7 @@ std::string parts_section(const Report& report, int figure_number) {
     html += fmt::format("<h3>{} <span>in frame {}</span></h3>\n", escaped(parts.ball(part).name),
                         report.clip.first_frame + row.frame);
     html += tiles(report, row, {}, [&](std::size_t m) {
-      return fmt::format("{} triangles", number(parts.measure(part, m).last_triangles));
+      return fmt::format("{} triangles", count(static_cast<std::uint64_t>(parts.measure(part, m).last_triangles)));
     });
   }
   return html + fmt::format(

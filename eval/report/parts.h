@@ -23,7 +23,7 @@ struct PartBall {
 
 // Of one method.
 struct PartMeasure {
-  double triangles = 0;       // mean over the frames; a triangle belongs to the part whose surface is nearest its middle
+  double triangles = 0;  // mean over the frames; a triangle belongs to the part whose surface is nearest its middle
   double last_triangles = 0;  // of the last frame alone
   double rms = 0;             // mean over the frames: distance from the part, percent of the diagonal of the frame
 };
@@ -51,12 +51,12 @@ class Parts {
   std::vector<PartBall> balls_;
   std::uint64_t seed_;
   std::size_t frame_count_ = 0;
-  std::vector<std::vector<Index>> triangles_;         // [parts]
-  std::vector<std::vector<SurfaceSample>> samples_;   // [parts], on the original
-  std::vector<std::vector<PartMeasure>> sums_;        // [parts][methods], of all frames but for the last's count
+  std::vector<std::vector<Index>> triangles_;        // [parts]
+  std::vector<std::vector<SurfaceSample>> samples_;  // [parts], on the original
+  std::vector<std::vector<PartMeasure>> sums_;       // [parts][methods], of all frames but for the last's count
   ClosestPointTree original_tree_, approximation_tree_;
-  std::vector<Vec3d> points_;                         // scratch
-  std::vector<ClosestPoint> closest_;                 // scratch
+  std::vector<Vec3d> points_;          // scratch
+  std::vector<ClosestPoint> closest_;  // scratch
 };
 
 }  // namespace limber::eval

@@ -32,8 +32,8 @@ FrameChart rms_chart(const Report& report) {
   return {.name = "RMS distance per frame",
           .y_title = "RMS distance, % of diagonal",
           .first_frame = report.clip.first_frame,
-          .series = series_of(
-              report, [](const Contender& c, std::size_t t) { return c.measure.frames()[t].distance.rms; })};
+          .series =
+              series_of(report, [](const Contender& c, std::size_t t) { return c.measure.frames()[t].distance.rms; })};
 }
 
 std::optional<FrameChart> near_rms_chart(const Report& report) {
@@ -53,12 +53,12 @@ std::optional<FrameChart> near_rms_chart(const Report& report) {
 }
 
 FrameChart adapt_chart(const Report& report) {
-  return {.name = "Time to adapt each frame",
-          .y_title = "processor time, ms (logarithmic)",
-          .logarithmic = true,
-          .first_frame = report.clip.first_frame,
-          .series = series_of(
-              report, [](const Contender& c, std::size_t t) { return 1000 * c.frames[t].adapt_seconds; })};
+  return {
+      .name = "Time to adapt each frame",
+      .y_title = "processor time, ms (logarithmic)",
+      .logarithmic = true,
+      .first_frame = report.clip.first_frame,
+      .series = series_of(report, [](const Contender& c, std::size_t t) { return 1000 * c.frames[t].adapt_seconds; })};
 }
 
 TradeOff trade_off_chart(const Report& report) {

@@ -60,6 +60,7 @@ p { margin: 0 0 12px; max-width: 46em; }
 figure { margin: 20px 0 0; }
 figcaption, .note { font-size: 13px; line-height: 1.5; color: var(--quiet); max-width: 58em; margin-top: 10px; }
 figcaption b { color: var(--ink); font-weight: 600; }
+figcaption code { white-space: nowrap; }
 code, pre { font: 13px/1.5 ui-monospace, "SF Mono", Menlo, Consolas, "DejaVu Sans Mono", monospace; }
 pre { margin: 8px 0 16px; padding: 12px 14px; background: var(--card); border: 1px solid var(--rule); white-space: pre-wrap;
   overflow-wrap: anywhere; }

@@ -40,9 +40,9 @@ std::string sweep_table(const Sweep& sweep, const std::string& first_method) {
     html += fmt::format(
         "<tr><th scope=\"row\">{}{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
         "<td>{}</td><td>{}</td></tr>\n",
-        number(point.value, 4), point.value == sweep.used ? " <i>(used above)</i>" : "", number(point.rms),
-        number(point.rms_worst), number(point.relative), number(point.max), number(point.flicker), number(changed),
-        number(point.quadric_error), number(point.choice_bytes), number(point.adapt_ms));
+        fmt::format("{:g}", point.value), point.value == sweep.used ? " <i>(used otherwise)</i>" : "",
+        number(point.rms), number(point.rms_worst), number(point.relative), number(point.max), number(point.flicker),
+        number(changed), number(point.quadric_error), number(point.choice_bytes), number(point.adapt_ms));
   }
   return html + "</tbody></table></div>\n";
 }
@@ -64,12 +64,11 @@ SweepPoint sweep_point(double value, const Comparison& tried, const Comparison& 
                    .choice_bytes = {},
                    .adapt_ms = 1000 * mean_of(contender, [](const MethodFrame& f) { return f.adapt_seconds; }),
                    .begin_seconds = contender.begin_seconds};
-  const double bytes =
-      mean_of(contender, [](const MethodFrame& f) { return static_cast<double>(f.choice_bytes); });
+  const double bytes = mean_of(contender, [](const MethodFrame& f) { return static_cast<double>(f.choice_bytes); });
   if (bytes > 0) point.choice_bytes = bytes;
   for (std::size_t t = 0; t < first.frames.size(); ++t) {
-    point.relative += rms_ratio(contender.measure.frames()[t], first.measure.frames()[t]) /
-                      static_cast<double>(first.frames.size());
+    point.relative +=
+        rms_ratio(contender.measure.frames()[t], first.measure.frames()[t]) / static_cast<double>(first.frames.size());
   }
   return point;
 }
@@ -88,8 +87,7 @@ std::vector<SweepChart> sweep_charts(const Sweep& sweep, const std::string& firs
   };
   constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
   std::vector<SweepChart> charts;
-  charts.push_back(
-      chart("RMS, \xc3\x97 " + first_method, 1, [](const SweepPoint& point) { return point.relative; }));
+  charts.push_back(chart("RMS, \xc3\x97 " + first_method, 1, [](const SweepPoint& point) { return point.relative; }));
   charts.push_back(chart("triangles changed, % per frame", 0,
                          [=](const SweepPoint& point) { return 100 * point.changed.value_or(kNothing); }));
   if (std::ranges::any_of(sweep.points, [](const SweepPoint& point) { return point.choice_bytes.has_value(); })) {
@@ -108,7 +106,8 @@ std::string sweep_section(const std::vector<Sweep>& sweeps, const std::string& f
     html += "</div>\n" + sweep_table(sweep, first_method);
     html += fmt::format(
         "<figcaption><b>Figure {}.</b> The clip once more for every value of <code>--{}</code>, all else as above. The "
-        "broken line is the value used above. <i>choices</i>: what stores which triangles a frame has, coded, without "
+        "broken line is the value used otherwise. <i>choices</i>: what stores which triangles a frame has, coded, "
+        "without "
         "positions.</figcaption></figure>\n",
         figure_number++, escaped(sweep.parameter));
   }

@@ -59,8 +59,8 @@ std::string draw_sweep_chart(const SweepChart& chart) {
     const double x = plot.x_at(point.x), y = plot.y_at(point.y);
     path += fmt::format("{}{:.1f} {:.1f}", drawing ? 'L' : 'M', x, y);
     drawing = true;
-    dots += fmt::format("<circle class=\"dot\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\"><title>{}: {}</title></circle>", x,
-                        y, number(point.x, 4), number(point.y));
+    dots += fmt::format("<circle class=\"dot\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\"><title>{:g}: {}</title></circle>",
+                        x, y, point.x, number(point.y));
   }
   svg += fmt::format("<g class=\"{}\"><path class=\"line\" d=\"{}\"/>{}</g>\n", chart.mark.color_class(), path, dots);
   return svg + "</svg>\n";

@@ -187,7 +187,8 @@ TEST_F(CompareVerb, ArgumentsThatMakeNoSenseAreRefused) {
   for (const char* const sweep :
        {"unified", "unified=", "unified=1", "unified=1,1", "unified=1,2", "unified=1,a", "unified=1,0.5,", "k=1,2"})
     EXPECT_EQ(exit({"--vertices", "80", "--sweep", sweep, "-o", path("report")}), Exit::kUsage) << sweep;
-  for (const char* const part : {"ear", "=1,2,3,4", "ear=1,2,3", "ear=1,2,3,4,5", "ear=1,2,3,0", "ear=1,,3,4"})
+  for (const char* const part :
+       {"ear", "=1,2,3,4", "ear=1,2,3", "ear=1,2,3,4,5", "ear=1,2,3,0", "ear=1,,3,4", "../ear=1,2,3,4"})
     EXPECT_EQ(exit({"--vertices", "80", "--part", part, "-o", path("report")}), Exit::kUsage) << part;
   EXPECT_TRUE(names().empty());
 }
