@@ -360,8 +360,11 @@ TEST(ReportPage, ShowsSweepsAndHasThemInItsJson) {
   std::vector<std::string> names;
   for (const ReportFigure& figure : report_figures(report)) {
     names.push_back(figure.name);
-    if (figure.name.ends_with(".svg")) EXPECT_EQ(test::markup_fault(figure.bytes), "") << figure.name;
-    if (figure.name.ends_with(".png")) EXPECT_THAT(figure.bytes, testing::StartsWith("\x89PNG")) << figure.name;
+    if (figure.name.ends_with(".svg")) {
+      EXPECT_EQ(test::markup_fault(figure.bytes), "") << figure.name;
+    } else {
+      EXPECT_THAT(figure.bytes, testing::StartsWith("\x89PNG")) << figure.name;
+    }
   }
   for (const char* const name :
        {"rms.svg", "trade-off.svg", "adapt-time.svg", "histograms.svg", "sweep-k-1-.svg", "frame-0002.png"})

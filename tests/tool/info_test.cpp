@@ -39,7 +39,9 @@ TEST_F(Info, DegenerateSetsChangeWhereSwapsAre) {
   double sum = 0;
   for (const auto& row : json["frame_table"]) {
     const double changes = row["degenerate_changes"];
-    if (row["swaps"] == 0) EXPECT_EQ(changes, 0);
+    if (row["swaps"] == 0) {
+      EXPECT_EQ(changes, 0);
+    }
     sum += changes;
   }
   EXPECT_GT(sum, 0);
