@@ -32,6 +32,10 @@ std::optional<Statistic> quadric_errors(const Contender& contender) {
   return statistic(std::move(values));
 }
 
+double rms_ratio(const FrameMeasure& frame, const FrameMeasure& first) {
+  return ratio(frame.distance.rms, first.distance.rms);
+}
+
 Comparison::Comparison(std::span<const MethodInfo* const> methods, const MethodOptions& options,
                        const ClipMeasureOptions& measure)
     : options_(options), first_frame_number_(measure.first_frame_number) {
@@ -80,7 +84,8 @@ Result<void> Comparison::add(std::span<const Vec3f> positions) {
     contender.frames.push_back({.vertex_count = static_cast<Index>(made.positions.size()),
                                 .quadric_error = quadric_error,
                                 .adapt_seconds = made.adapt_seconds,
-                                .extract_seconds = made.extract_seconds});
+                                .extract_seconds = made.extract_seconds,
+                                .choice_bytes = made.choice_bytes});
   }
   return {};
 }
@@ -91,7 +96,7 @@ Relative Comparison::relative(std::size_t contender) const {
   assert(!first.frames.empty());
   Relative result{.rms_by_frame = 0, .rms_worst = 0};
   for (std::size_t t = 0; t < first.frames.size(); ++t) {
-    const double r = ratio(other.measure.frames()[t].distance.rms, first.measure.frames()[t].distance.rms);
+    const double r = rms_ratio(other.measure.frames()[t], first.measure.frames()[t]);
     result.rms_by_frame += r / static_cast<double>(first.frames.size());
     result.rms_worst = std::max(result.rms_worst, r);
   }

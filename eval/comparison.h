@@ -24,6 +24,7 @@ struct MethodFrame {
   std::optional<double> quadric_error;  // see QuadricError; nothing where the method does not tell its clusters
   double adapt_seconds = 0;             // see Approximation
   double extract_seconds = 0;
+  std::size_t choice_bytes = 0;  // see Approximation
 };
 
 struct Contender {
@@ -46,6 +47,9 @@ struct Relative {
   std::optional<double> quadric_error = 1;  // mean / mean; nothing where one of them has none
   double adapt_time = 1;                    // mean / mean
 };
+
+// The rms of a frame over that of another approximation of it; where both are nothing, 1.
+double rms_ratio(const FrameMeasure& frame, const FrameMeasure& first);
 
 class Comparison {
  public:

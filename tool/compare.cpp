@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <ctime>
-#include <fstream>
 
 #include "eval/comparison.h"
 #include "eval/report/report.h"
 #include "limber/stream/build_stream.h"
 #include "tool/clip_argument.h"
+#include "tool/machine.h"
 #include "tool/method_argument.h"
 #include "tool/output_argument.h"
+#include "tool/part_argument.h"
 #include "tool/picture_argument.h"
 #include "tool/progress.h"
 #include "tool/report_folder.h"
 #include "tool/sampling_argument.h"
+#include "tool/sweep_argument.h"
 #include "tool/verb.h"
 
 namespace limber::tool {
@@ -27,6 +28,10 @@ struct Arguments {
   MethodArgument method;
   eval::DistanceOptions distance;
   PictureArgument picture;
+  std::vector<std::string> sweep_texts, part_texts;
+  std::vector<WantedSweep> sweeps;
+  std::vector<eval::PartBall> parts;
+  bool figures = false;
   OutputArgument output;
   bool every_method = false;  // none was named
   std::string words;          // the options as they were given, without -o and what concerns pictures
@@ -61,8 +66,13 @@ std::string words_given(const CLI::App& app, std::initializer_list<std::string_v
                               : !option->get_snames().empty() ? "-" + option->get_snames().front()
                                                               : "";
     if (std::find(without.begin(), without.end(), shown) != without.end()) continue;
-    if (!shown.empty()) words += " " + shown;
-    if (option->get_expected_max() > 0) words += " " + quoted(fmt::format("{}", fmt::join(option->results(), ",")));
+    const bool is_list = option->get_delimiter() != '\0';
+    const std::vector<std::string> given =
+        is_list ? std::vector{fmt::format("{}", fmt::join(option->results(), ","))} : option->results();
+    for (const std::string& word : given) {
+      if (!shown.empty()) words += " " + shown;
+      if (option->get_expected_max() > 0) words += " " + quoted(word);
+    }
   }
   return words;
 }
@@ -118,8 +128,10 @@ Result<Work> begin(const Arguments& arguments, std::span<const eval::MethodInfo*
   const Result<std::uint32_t> frame_count = count_frames(*work.clip, progress);
   if (!frame_count) return frame_count.error();
   work.frame_count = *frame_count;
+  std::vector<const eval::MethodInfo*> all = work.methods;
+  for (const WantedSweep& sweep : arguments.sweeps) all.push_back(sweep.method);
   Result<eval::SeenFrames> seen =
-      eval::SeenFrames::read(*work.clip, work.methods, arguments.method.base_frames,
+      eval::SeenFrames::read(*work.clip, all, arguments.method.base_frames,
                              [&](std::uint32_t frames_read) { return progress.update(frames_read); });
   if (!seen) return seen.error();
   work.seen = std::move(*seen);
@@ -129,15 +141,18 @@ Result<Work> begin(const Arguments& arguments, std::span<const eval::MethodInfo*
 struct Compared {
   eval::Comparison comparison;
   eval::WorstPlaces places;
+  eval::Parts parts;
   eval::KeptFrames kept;
 };
 
-Result<Compared> compare_methods(Work& work, const eval::DistanceOptions& distance, Progress& progress) {
+Result<Compared> compare_methods(Work& work, const Arguments& arguments, Progress& progress) {
+  const eval::DistanceOptions& distance = arguments.distance;
   const Mesh& mesh = work.clip->mesh();
   Compared compared{
       .comparison = eval::Comparison(work.methods, work.options,
                                      {.distance = distance, .first_frame_number = work.clip->first_frame_number()}),
       .places = eval::WorstPlaces(work.methods.size(), kPlaceSamples, distance.samples.seed),
+      .parts = eval::Parts(arguments.parts, work.methods.size(), distance.samples.seed),
       .kept = eval::KeptFrames(work.frame_count)};
   progress.start("comparing", work.frame_count);
   if (!progress.update(0)) return interruption();
@@ -153,21 +168,20 @@ Result<Compared> compare_methods(Work& work, const eval::DistanceOptions& distan
       made.push_back({contender.approximation.triangles, contender.approximation.positions});
     const std::vector<std::size_t> worse = compared.places.add({mesh.triangles, positions}, made);
     compared.kept.add(positions, compared.comparison, worse);
+    if (Result<void> added = compared.parts.add({mesh.triangles, positions}, made); !added) return added.error();
     if (!progress.update(++done)) return interruption();
   }
 }
 
-BuildStreamOptions stream_options(const Arguments& arguments, const Work& work, unsigned threads) {
+BuildStreamOptions stream_options(const eval::MethodOptions& method, std::uint32_t base_frames, unsigned threads) {
   BuildStreamOptions options;
-  options.hierarchy = {
-      .branching = work.options.branching, .level_sizes = work.options.level_sizes, .contract = work.options.contract};
-  if (options.hierarchy.level_sizes.empty() && work.options.vertices > 0)
-    options.hierarchy.level_sizes = {work.options.vertices};
-  options.recluster.growth = work.options.growth;
-  options.recluster.coarser_weight = work.options.coarser_weight;
-  options.recluster.threshold = work.options.threshold;
-  options.recluster.fit = work.options.fit;
-  options.base_frames = arguments.method.base_frames;
+  options.hierarchy = {.branching = method.branching, .level_sizes = method.level_sizes, .contract = method.contract};
+  if (options.hierarchy.level_sizes.empty() && method.vertices > 0) options.hierarchy.level_sizes = {method.vertices};
+  options.recluster.growth = method.growth;
+  options.recluster.coarser_weight = method.coarser_weight;
+  options.recluster.threshold = method.threshold;
+  options.recluster.fit = method.fit;
+  options.base_frames = base_frames;
   options.threads = threads;
   return options;
 }
@@ -182,36 +196,61 @@ Result<BuildReport> encode(ClipReader& clip, const BuildStreamOptions& options, 
   return report;
 }
 
+// One value of a sweep: the method alone runs through the clip once more.
+Result<eval::SweepPoint> try_value(Work& work, const Arguments& arguments, const WantedSweep& sweep, double value,
+                                   const eval::Comparison& report, unsigned threads, Progress& progress) {
+  eval::MethodOptions options = work.options;
+  sweep.value(options) = value;
+  eval::Comparison tried(std::span(&sweep.method, 1), options,
+                         {.distance = arguments.distance, .first_frame_number = work.clip->first_frame_number()});
+  const Mesh& mesh = work.clip->mesh();
+  if (Result<void> done = work.clip->rewind(); !done) return done.error();
+  progress.start(fmt::format("{} = {:g}", sweep.parameter, value), work.frame_count);
+  if (!progress.update(0)) return interruption();
+  tried.begin(mesh, work.seen);
+  std::vector<Vec3f> positions(mesh.vertex_count);
+  for (std::uint64_t done = 0;;) {
+    const Result<bool> more = work.clip->read(positions);
+    if (!more) return more.error();
+    if (!*more) break;
+    if (Result<void> added = tried.add(positions); !added) return added.error();
+    if (!progress.update(++done)) return interruption();
+  }
+  eval::SweepPoint point = sweep_point(value, tried, report);
+  if (sweep.method->name != kFollower) return point;
+  const Result<BuildReport> stream =
+      encode(*work.clip, stream_options(options, arguments.method.base_frames, threads), progress);
+  if (!stream) return stream.error();
+  point.choice_bytes = static_cast<double>(stream->bytes.hierarchy) / stream->frame_count;
+  return point;
+}
+
+Result<std::vector<eval::Sweep>> run_sweeps(Work& work, const Arguments& arguments, const eval::Comparison& report,
+                                            unsigned threads, Progress& progress) {
+  std::vector<eval::Sweep> sweeps;
+  for (const WantedSweep& wanted : arguments.sweeps) {
+    const auto place = std::ranges::find(work.methods, wanted.method) - work.methods.begin();
+    eval::Sweep sweep{.parameter = wanted.parameter,
+                      .method = wanted.method,
+                      .mark = {static_cast<std::size_t>(place)},
+                      .used = wanted.value(work.options),
+                      .points = {}};
+    for (const double value : wanted.values) {
+      const Result<eval::SweepPoint> point = try_value(work, arguments, wanted, value, report, threads, progress);
+      if (!point) return point.error();
+      sweep.points.push_back(*point);
+    }
+    sweeps.push_back(std::move(sweep));
+  }
+  return sweeps;
+}
+
 std::string build_command(const Arguments& arguments, const BuildStreamOptions& options) {
   std::string command =
       fmt::format("limber build {} --branching {}", quoted(arguments.clip.specification), options.hierarchy.branching);
   if (!options.hierarchy.level_sizes.empty())
     command += fmt::format(" --levels {}", fmt::join(options.hierarchy.level_sizes, ","));
   return command + " -o clip.limber";
-}
-
-std::string processor_name() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);) {
-    const std::size_t colon = line.find(": ");
-    if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
-  }
-  return "unknown processor";
-}
-
-std::string today() {
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  gmtime_r(&now, &parts);
-  return fmt::format("{:04}-{:02}-{:02}", parts.tm_year + 1900, parts.tm_mon + 1, parts.tm_mday);
-}
-
-std::string compiler_name() {
-#if defined(__clang__)
-  return fmt::format("clang {}.{}.{}", __clang_major__, __clang_minor__, __clang_patchlevel__);
-#else
-  return fmt::format("g++ {}.{}.{}", __GNUC__, __GNUC_MINOR__, __GNUC_PATCHLEVEL__);
-#endif
 }
 
 std::string asked(const eval::MethodOptions& options) {
@@ -234,12 +273,17 @@ eval::RunFacts run_facts(const Arguments& arguments, const Work& work, unsigned 
           .left_out = work.left_out};
 }
 
-Result<void> write_files(const eval::Report& report, ReportFolder& folder) {
+Result<void> write_files(const eval::Report& report, bool figures, ReportFolder& folder) {
   if (Result<void> written = folder.write(0, report_page(report)); !written) return written;
   // Names of files need not be UTF-8, but JSON must.
   const std::string json = report_json(report).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
   if (Result<void> written = folder.write(1, json); !written) return written;
   if (Result<void> written = folder.write(2, report_csv(report.comparison)); !written) return written;
+  if (figures) {
+    for (const eval::ReportFigure& figure : report_figures(report)) {
+      if (Result<void> written = folder.add(figure.name, figure.bytes); !written) return written;
+    }
+  }
   return folder.finish();
 }
 
@@ -258,26 +302,38 @@ Result<Exit> compare_verb(Arguments arguments, Console& console) {
   if (!work) return work.error();
   for (const eval::LeftOut& left_out : work->left_out)
     console.note("{} is left out, it cannot take this clip: {}", left_out.method, left_out.why);
-  const Result<Compared> compared = compare_methods(*work, arguments.distance, progress);
+  const Result<Compared> compared = compare_methods(*work, arguments, progress);
   if (!compared) return compared.error();
   eval::RunFacts run = run_facts(arguments, *work, console.conventions.threads);
   std::optional<BuildReport> stream;
   if (std::ranges::find(work->methods, kFollower, &eval::MethodInfo::name) != work->methods.end()) {
-    const BuildStreamOptions options = stream_options(arguments, *work, console.conventions.threads);
+    const BuildStreamOptions options =
+        stream_options(work->options, arguments.method.base_frames, console.conventions.threads);
     Result<BuildReport> encoded = encode(*work->clip, options, progress);
     if (!encoded) return encoded.error();
     stream = std::move(*encoded);
     run.commands.push_back(build_command(arguments, options));
   }
 
+  Result<std::vector<eval::Sweep>> sweeps =
+      run_sweeps(*work, arguments, compared->comparison, console.conventions.threads, progress);
+  if (!sweeps) return sweeps.error();
+
   const Mesh& mesh = work->clip->mesh();
   const std::size_t method_count = work->methods.size();
+  std::vector<std::string> sheet_labels;
+  if (arguments.figures) {
+    sheet_labels.emplace_back("original");
+    for (const eval::MethodInfo* info : work->methods) sheet_labels.emplace_back(info->name);
+  }
   progress.start("rendering");
   Result<eval::PictureSet> pictures = take_report_pictures(
       mesh, compared->kept, compared->places, chosen_places(compared->places, method_count, kCloseUps),
       {.view = arguments.picture.options.view,
        .up = arguments.picture.options.up,
-       .error_range = eval::report_error_range(compared->places, method_count)},
+       .error_range = eval::report_error_range(compared->places, method_count),
+       .parts = &compared->parts,
+       .sheet_labels = std::move(sheet_labels)},
       [&](std::size_t done, std::size_t all) {
         const std::size_t per_frame = method_count + 1;
         if (done == 1) progress.start("rendering", all / per_frame);
@@ -296,8 +352,10 @@ Result<Exit> compare_verb(Arguments arguments, Console& console) {
                             .run = std::move(run),
                             .storage = storage_rows(mesh, compared->comparison, stream ? &*stream : nullptr),
                             .stream = stream,
-                            .pictures = std::move(*pictures)};
-  if (Result<void> written = write_files(report, *folder); !written) return written.error();
+                            .pictures = std::move(*pictures),
+                            .parts = &compared->parts,
+                            .sweeps = std::move(*sweeps)};
+  if (Result<void> written = write_files(report, arguments.figures, *folder); !written) return written.error();
   progress.finish();
   console.print("{}: {} frame{} by {} method{}, {}\n{}", folder->path(0).string(), work->frame_count,
                 work->frame_count == 1 ? "" : "s", method_count, method_count == 1 ? "" : "s", report.run.asked,
@@ -322,11 +380,17 @@ Action declare_compare(CLI::App& app) {
   declare_output(app, arguments->output,
                  "a folder for index.html, report.json and frames.csv; it is made where missing");
   declare_view(app, arguments->picture);
+  declare_sweep(app, arguments->sweep_texts);
+  declare_part(app, arguments->part_texts);
+  app.add_flag("--figures", arguments->figures,
+               "every figure as a file of its own, too: charts as .svg, pictures as .png");
   declare_sampling(app, arguments->distance);
   return [arguments, &app](Console& console) {
     arguments->command = "limber compare" + words_given(app, {});
-    arguments->words =
-        words_given(app, {"--method", "--output", "--force", "--view", "--up", "--json", "--quiet", "-j"});
+    arguments->words = words_given(app, {"--method", "--output", "--force", "--view", "--up", "--sweep", "--part",
+                                         "--figures", "--json", "--quiet", "-j"});
+    arguments->sweeps = wanted_sweeps(arguments->sweep_texts, app);
+    arguments->parts = wanted_parts(arguments->part_texts);
     return compare_verb(*arguments, console);
   };
 }

@@ -20,9 +20,32 @@ struct Arguments {
 
 struct FrameRow {
   bool key = false;
-  std::size_t swap_count = 0;  // against the frame before, for key frames too
+  // Against the frame before, for key frames too:
+  std::size_t swap_count = 0;
+  std::size_t degenerate_count = 0;  // triangles that are in another degenerate set, or newly in one or in none
   ChunkSizes bytes;
 };
+
+// The node in whose degenerate set each triangle is: where two of its corners first meet. kNone: where they never do.
+std::vector<Index> degenerate_nodes(const Mesh& mesh, const Hierarchy& hierarchy) {
+  std::vector<Index> nodes(mesh.triangles.size(), kNone);
+  for (std::size_t t = 0; t < nodes.size(); ++t) {
+    auto [a, b, c] = mesh.triangles[t];
+    for (Index level = 1; level < hierarchy.level_count() && nodes[t] == kNone; ++level) {
+      a = hierarchy.parent[a], b = hierarchy.parent[b], c = hierarchy.parent[c];
+      if (a == b || a == c) nodes[t] = a;
+      if (b == c) nodes[t] = b;
+    }
+  }
+  return nodes;
+}
+
+template <class Values>
+std::size_t difference_count(const Values& a, const Values& b) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) count += a[i] != b[i] ? 1u : 0u;
+  return count;
+}
 
 // What decoding all frames shows.
 Result<std::vector<FrameRow>> read_frames(Decoder& decoder, const StreamFile& file, Console& console) {
@@ -30,18 +53,18 @@ Result<std::vector<FrameRow>> read_frames(Decoder& decoder, const StreamFile& fi
   Progress progress(console, "reading", count);
   FrameState state;
   decoder.prepare(state);
-  std::vector<Index> parents_before;
+  std::vector<Index> parents_before, degenerate_before;
   std::vector<FrameRow> rows;
   for (std::uint32_t frame = 0; frame < count; ++frame) {
     if (Result<void> decoded = decoder.decode(frame, state); !decoded) return in_file(file.name(), decoded.error());
     FrameRow& row = rows.emplace_back();
     row.key = decoder.is_key(frame);
     row.bytes = decoder.sizes(frame);
-    if (frame > 0) {
-      for (std::size_t node = 0; node < parents_before.size(); ++node)
-        row.swap_count += state.hierarchy.parent[node] != parents_before[node] ? 1u : 0u;
-    }
+    std::vector<Index> degenerate = degenerate_nodes(decoder.mesh(), state.hierarchy);
+    row.swap_count = difference_count(parents_before, state.hierarchy.parent);
+    row.degenerate_count = difference_count(degenerate_before, degenerate);
     parents_before = state.hierarchy.parent;
+    degenerate_before = std::move(degenerate);
     if (!progress.update(frame + 1)) return interruption();
   }
   return rows;
@@ -50,18 +73,21 @@ Result<std::vector<FrameRow>> read_frames(Decoder& decoder, const StreamFile& fi
 struct Totals {
   std::uint32_t key_count = 0;
   ChunkSizes bytes;
-  Spread swaps;
+  Spread swaps, degenerate;
 };
 
 Totals add_up(const std::vector<FrameRow>& rows) {
   Totals totals;
-  std::vector<double> swaps;
+  std::vector<double> swaps, degenerate;
   for (const FrameRow& row : rows) {
     totals.key_count += row.key ? 1u : 0u;
     totals.bytes += row.bytes;
-    if (&row != rows.data()) swaps.push_back(static_cast<double>(row.swap_count));
+    if (&row == rows.data()) continue;
+    swaps.push_back(static_cast<double>(row.swap_count));
+    degenerate.push_back(static_cast<double>(row.degenerate_count));
   }
   totals.swaps = spread(swaps);
+  totals.degenerate = spread(degenerate);
   return totals;
 }
 
@@ -89,7 +115,8 @@ void print(const Decoder& decoder, const StreamFile& file, const std::vector<Fra
   console.print("mesh       {} vertices, {} triangles\n", sizes.front(), decoder.mesh().triangles.size());
   console.print("levels     {}: {}{}\n", sizes.size(), fmt::join(sizes, " "),
                 header.manifold_kept ? "; all homeomorphic" : "");
-  console.print("swaps      {:.1f} per frame (95th percentile {:.0f})\n", totals.swaps.mean, totals.swaps.p95);
+  console.print("swaps      {:.1f} per frame (95th percentile {:.0f}); {:.1f} triangles change their degenerate set\n",
+                totals.swaps.mean, totals.swaps.p95, totals.degenerate.mean);
   console.print("bytes      {}\n", frame_bytes_line(totals.bytes, frame_count));
   console.print("bits       {:.2f} per vertex and frame; raw positions take 96\n",
                 bits_per_vertex(file.bytes().size(), sizes.front(), frame_count));
@@ -124,6 +151,7 @@ Json to_json(const Decoder& decoder, const StreamFile& file, const std::vector<F
                {"levels", sizes},
                {"manifold_kept", header.manifold_kept},
                {"swaps", {{"mean", totals.swaps.mean}, {"p95", totals.swaps.p95}}},
+               {"degenerate_changes", {{"mean", totals.degenerate.mean}, {"p95", totals.degenerate.p95}}},
                {"bytes_per_frame", frame_bytes_json(totals.bytes, frame_count)},
                {"bits_per_vertex_and_frame", bits_per_vertex(file.bytes().size(), sizes.front(), frame_count)},
                {"lossless", header.tolerance == 0.0},
@@ -135,6 +163,7 @@ Json to_json(const Decoder& decoder, const StreamFile& file, const std::vector<F
     list.push_back({{"frame", header.first_frame_number + i},
                     {"key", rows[i].key},
                     {"swaps", rows[i].swap_count},
+                    {"degenerate_changes", rows[i].degenerate_count},
                     {"hierarchy", rows[i].bytes.hierarchy},
                     {"finest_positions", rows[i].bytes.finest_positions},
                     {"coarser_positions", rows[i].bytes.coarser_positions},

@@ -2,12 +2,18 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "eval/report/charts.h"
+#include "eval/report/style.h"
+#include "limber/clip/input_file.h"
+#include "limber/clip/output_file.h"
 #include "limber/stream/decoder.h"
 #include "limber/view/cut.h"
 #include "limber/view/triangle_list.h"
+#include "tool/output_argument.h"
 #include "tool/progress.h"
 #include "tool/ranges.h"
 #include "tool/stream_file.h"
@@ -20,6 +26,7 @@ struct Arguments {
   std::string file;
   Index vertex_count = 800;
   std::uint32_t repeat_count = 1;
+  OutputArgument output;  // of a chart; no path: none
 };
 
 // Milliseconds of every step played: [repetitions x frames after the first].
@@ -39,18 +46,40 @@ double median(std::vector<double>& values) {
   return values[(values.size() - 1) / 2];
 }
 
-// Over the frames, of the median of each frame's repetitions: what a frame takes, not what else the machine did.
-// `values`: [repetitions x frames].
-Quantiles quantiles(const std::vector<double>& values, std::size_t repeat_count) {
-  if (values.empty()) return {};
+// The median of each frame's repetitions: what a frame takes, not what else the machine did. `values`:
+// [repetitions x frames].
+std::vector<double> frame_medians(const std::vector<double>& values, std::size_t repeat_count) {
   const std::size_t frame_count = values.size() / repeat_count;
   std::vector<double> frames(frame_count), repetitions(repeat_count);
   for (std::size_t frame = 0; frame < frame_count; ++frame) {
     for (std::size_t i = 0; i < repeat_count; ++i) repetitions[i] = values[i * frame_count + frame];
     frames[frame] = median(repetitions);
   }
+  return frames;
+}
+
+// Over the frames.
+Quantiles quantiles(const std::vector<double>& values, std::size_t repeat_count) {
+  if (values.empty()) return {};
+  std::vector<double> frames = frame_medians(values, repeat_count);
   const double middle = median(frames);
-  return {middle, frames[(frame_count * 95 + 99) / 100 - 1]};
+  return {middle, frames[(frames.size() * 95 + 99) / 100 - 1]};
+}
+
+// The update of every frame and its steps.
+std::string update_chart(const Times& times, std::size_t repeat_count, std::uint32_t first_frame) {
+  eval::FrameChart chart{.name = "Time to update each frame",
+                         .y_title = "milliseconds",
+                         .first_frame = first_frame + 1,  // the first frame is no update
+                         .series = {}};
+  const auto add = [&](const char* name, const std::vector<double>& values) {
+    chart.series.push_back({name, {chart.series.size()}, frame_medians(values, repeat_count)});
+  };
+  add("update", times.update);
+  add("hierarchy", times.hierarchy);
+  add("cut", times.cut);
+  add("triangles", times.list);
+  return eval::standalone(eval::draw_frame_chart(chart, eval::Room::kWide));
 }
 
 class Stopwatch {
@@ -117,6 +146,15 @@ Result<void> Playing::run(Times& times, Progress& progress, std::uint32_t frames
 }
 
 Result<Exit> play(const Arguments& arguments, Console& console) {
+  std::optional<OutputFile> drawing;
+  if (!arguments.output.path.empty()) {
+    if (lower_case_extension(arguments.output.path) != ".svg")
+      throw UsageError(fmt::format("the output of play is a chart, so its name must end in .svg, not as {} does",
+                                   one_line(arguments.output.path)));
+    Result<OutputFile> created = OutputFile::create(arguments.output.path, arguments.output.replace);
+    if (!created) return created.error();
+    drawing = std::move(*created);
+  }
   const Result<StreamFile> file = StreamFile::open(arguments.file);
   if (!file) return file.error();
   Result<Decoder> decoder = open_decoder(*file);
@@ -133,6 +171,12 @@ Result<Exit> play(const Arguments& arguments, Console& console) {
     if (!played) return in_file(file->name(), played.error());
   }
   progress.finish();
+  if (drawing) {
+    const std::string chart =
+        update_chart(times, arguments.repeat_count, playing.decoder().header().first_frame_number);
+    if (Result<void> written = drawing->write({chart.data(), chart.size()}); !written) return written.error();
+    if (Result<void> committed = drawing->commit(); !committed) return committed.error();
+  }
 
   const Mesh& mesh = playing.decoder().mesh();
   console.print(
@@ -158,6 +202,8 @@ Result<Exit> play(const Arguments& arguments, Console& console) {
   row("  triangles", "triangles", times.list);
   row("positions", "positions", times.positions);
   row("a plain copy of the positions", "copy", times.copy);
+  Json& frames = json["frame_update_milliseconds"] = Json::array();
+  for (const double time : frame_medians(times.update, arguments.repeat_count)) frames.push_back(time);
   json["update_p95_per_10000_vertices"] =
       quantiles(times.update, arguments.repeat_count).p95 * 10000 / std::max<Index>(1, mesh.vertex_count);
   console.report("limber.play/1", json);
@@ -177,6 +223,7 @@ Action declare_play(CLI::App& app) {
       ->check(in_range(1, 10000))
       ->type_name("N")
       ->capture_default_str();
+  declare_output(app, arguments->output, "a chart of the update of every frame: update.svg", false);
   return [arguments](Console& console) { return play(*arguments, console); };
 }
 

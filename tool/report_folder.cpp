@@ -30,6 +30,7 @@ Result<ReportFolder> ReportFolder::create(const fs::path& path, std::vector<std:
     folder.made_folders_.resize(i);
     return refused;
   }
+  folder.folder_ = wanted;
   for (const std::string& name : names) {
     Result<OutputFile> file = OutputFile::create(wanted / name, replace);
     if (!file) return file.error();
@@ -48,6 +49,13 @@ ReportFolder::~ReportFolder() {
 Result<void> ReportFolder::write(std::size_t file, std::string_view text) {
   if (Result<void> written = files_[file].write({text.data(), text.size()}); !written) return written;
   return files_[file].close();
+}
+
+Result<void> ReportFolder::add(const std::string& name, std::string_view text) {
+  Result<OutputFile> file = OutputFile::create(folder_ / name, replace_);
+  if (!file) return file.error();
+  files_.push_back(std::move(*file));
+  return write(files_.size() - 1, text);
 }
 
 Result<void> ReportFolder::finish() {

@@ -26,6 +26,9 @@ class ReportFolder {
   // The whole of the file with this place among the names.
   Result<void> write(std::size_t file, std::string_view text);
 
+  // One more file, whole. Errors: as of create().
+  Result<void> add(const std::string& name, std::string_view text);
+
   // Gives all files their names. After an error none of the new ones is left where `replace` is false.
   Result<void> finish();
 
@@ -35,6 +38,7 @@ class ReportFolder {
   ReportFolder() = default;
 
   bool replace_ = false;
+  std::filesystem::path folder_;
   std::vector<OutputFile> files_;
   std::vector<std::filesystem::path> made_folders_;  // outermost first
 };

@@ -32,7 +32,9 @@ constexpr Verb kVerbs[] = {
      declare_measure},
     {"compare", "Compare all methods on a clip, in a report to look at",
      "limber compare 'horse/%04d.obj' --vertices 800 -o report/\n"
-     "limber compare cloth.pc2 --ratio 0.05 --method direct,first-frame,multilevel --view 60,20 -o report/\n",
+     "limber compare cloth.pc2 --ratio 0.05 --method direct,first-frame,multilevel --view 60,20 -o report/\n"
+     "limber compare 'horse/%04d.obj' --vertices 800 --sweep unified=1,0.96,0.8 --part ear=0.07,1.33,0.56,0.07 -o "
+     "report/\n",
      declare_compare},
     {"check", "Test a stream, and every invariant of every frame",
      "limber check horse.limber\n"
@@ -40,7 +42,8 @@ constexpr Verb kVerbs[] = {
      declare_check},
     {"play", "Run through a stream and report the time of each step",
      "limber play horse.limber\n"
-     "limber play horse.limber --vertices 2000 --repeat 5 --json\n",
+     "limber play horse.limber --vertices 2000 --repeat 5 --json\n"
+     "limber play horse.limber --repeat 40 -o update.svg\n",
      declare_play},
     {"render", "Take pictures of a mesh or clip",
      "limber render 'horse/%04d.obj' --frame 12 -o horse12.png\n"

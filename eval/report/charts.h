@@ -21,6 +21,7 @@ struct FrameChart {
   std::string name{};     // for screen readers
   std::string y_title{};  // what is shown, and its unit
   bool logarithmic = false;
+  double low = 0, top = 0;  // of the y axis where top is above low: lines are cut off at the top; else to suit
   std::uint32_t first_frame = 0;
   std::vector<Series> series{};  // each with a value per frame
 };
@@ -48,6 +49,19 @@ struct Histogram {
   std::vector<double> comparison{};  // the same of the first method, as an outline; may be empty
 };
 
+// One value over a parameter.
+struct SweepChart {
+  std::string name{};
+  std::string x_title{}, y_title{};
+  MethodMark mark{};
+  double from = 0;  // the y axis starts here, or lower where a value does
+  double used = 0;  // a value of the parameter with a line of its own, if it is among the points'
+  struct Point {
+    double x = 0, y = 0;  // y: not finite leaves a gap
+  };
+  std::vector<Point> points{};  // by rising x
+};
+
 // How much room a chart has. Wide ones have labels at their lines; narrow ones leave them to a key beside the chart.
 enum class Room { kWide, kNarrow };
 
@@ -59,5 +73,8 @@ std::string draw_trade_off(const TradeOff& chart, Room room);
 
 // One of several small ones that share their axes.
 std::string draw_histogram(const Histogram& histogram);
+
+// One of several that stand side by side.
+std::string draw_sweep_chart(const SweepChart& chart);
 
 }  // namespace limber::eval

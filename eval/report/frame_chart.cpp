@@ -21,6 +21,8 @@ std::size_t frame_count(const FrameChart& chart) {
   return frames;
 }
 
+bool is_cut(const FrameChart& chart) { return chart.top > chart.low; }
+
 Axis value_axis(const FrameChart& chart) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const Series& series : chart.series) {
@@ -29,21 +31,29 @@ Axis value_axis(const FrameChart& chart) {
       low = std::min(low, value), high = std::max(high, value);
     }
   }
+  if (is_cut(chart)) return linear_axis(chart.low, chart.top, 6);
   return chart.logarithmic ? logarithmic_axis(low, high) : linear_axis(0, high, 6);
 }
 
 std::string path_of(const Series& series, const FrameChart& chart, const Plot& plot) {
   std::string path;
   bool drawing = false;
-  const auto point = [&](std::size_t t) {
-    const double value = series.values[t];
-    if (!std::isfinite(value)) {
-      drawing = false;
-      return;
-    }
-    path += fmt::format("{}{:.1f} {:.1f}", drawing ? 'L' : 'M', plot.x_at(chart.first_frame + static_cast<double>(t)),
-                        plot.y_at(value));
+  double last_frame = 0, last_value = 0;
+  const double top = is_cut(chart) ? plot.y.high : std::numeric_limits<double>::infinity();
+  const auto draw_to = [&](double frame, double value) {
+    path += fmt::format("{}{:.1f} {:.1f}", drawing ? 'L' : 'M', plot.x_at(frame), plot.y_at(value));
     drawing = true;
+  };
+  const auto point = [&](std::size_t t) {
+    const double frame = chart.first_frame + static_cast<double>(t), value = series.values[t];
+    const bool follows = t > 0 && std::isfinite(last_value) && std::isfinite(value);
+    if (follows && (value > top) != (last_value > top))
+      draw_to(last_frame + (frame - last_frame) * (top - last_value) / (value - last_value), top);
+    if (std::isfinite(value) && value <= top)
+      draw_to(frame, value);
+    else
+      drawing = false;
+    last_frame = frame, last_value = value;
   };
   const std::size_t run = std::max<std::size_t>(1, 2 * series.values.size() / kMostPoints);
   for (std::size_t first = 0; first < series.values.size(); first += run) {
@@ -68,7 +78,7 @@ std::string line_labels(const FrameChart& chart, const Plot& plot) {
   std::vector<double> ends;
   for (const Series& series : chart.series) {
     const double end = last_finite(series.values);
-    if (std::isnan(end)) continue;
+    if (std::isnan(end) || (is_cut(chart) && end > plot.y.high)) continue;
     labelled.push_back(&series);
     ends.push_back(plot.y_at(end));
   }

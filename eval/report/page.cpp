@@ -6,14 +6,13 @@
 #include "eval/color_map.h"
 #include "eval/report/charts.h"
 #include "eval/report/report.h"
+#include "eval/report/report_charts.h"
 #include "eval/report/style.h"
 #include "eval/report/tables.h"
 #include "eval/report/words.h"
 
 namespace limber::eval {
 namespace {
-
-constexpr std::size_t kBars = 24;
 
 std::string name_of(const Report& report, std::size_t method) {
   return std::string(report.comparison.contenders()[method].info->name);
@@ -37,21 +36,8 @@ std::string figure(std::string_view body, std::string_view caption) {
   return fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", body, caption);
 }
 
-template <class Value>
-std::string frame_figure(const Report& report, std::string name, std::string y_title, bool logarithmic,
-                         std::string_view caption, const Value& value) {
-  FrameChart chart{.name = std::move(name),
-                   .y_title = std::move(y_title),
-                   .logarithmic = logarithmic,
-                   .first_frame = report.clip.first_frame,
-                   .series = {}};
-  for (std::size_t m = 0; m < report.comparison.contenders().size(); ++m) {
-    Series series{name_of(report, m), MethodMark{m}, {}};
-    for (std::size_t t = 0; t < frame_count(report); ++t)
-      series.values.push_back(value(report.comparison.contenders()[m], t));
-    chart.series.push_back(std::move(series));
-  }
-  return figure(in_both_sizes(report, [&](Room room) { return draw_frame_chart(chart, room); }), caption);
+std::string frame_chart(const Report& report, const FrameChart& chart) {
+  return in_both_sizes(report, [&](Room room) { return draw_frame_chart(chart, room); });
 }
 
 std::string heading(const Report& report) {
@@ -100,27 +86,21 @@ std::string summary_section(const Report& report) {
 }
 
 std::string error_section(const Report& report) {
+  std::string body = frame_chart(report, rms_chart(report));
+  if (const std::optional<FrameChart> near = near_rms_chart(report)) {
+    body += fmt::format("<h3>Magnified <span>without what is far from {}</span></h3>\n", escaped(first_name(report)));
+    body += frame_chart(report, *near);
+  }
   return "<section id=\"rms\">\n<h2>Error per frame</h2>\n" +
-         frame_figure(
-             report, "RMS distance per frame", "RMS distance, % of diagonal", false,
-             "<b>Figure 1.</b> RMS distance to the original in every frame. Lower is nearer; a line that "
-             "rises to the right gathers error. Rest the pointer on a frame for its numbers. Answers Fig. 11 of "
-             "Kircher and Garland (2005).",
-             [](const Contender& c, std::size_t t) { return c.measure.frames()[t].distance.rms; }) +
+         figure(body,
+                "<b>Figure 1.</b> RMS distance to the original in every frame. Lower is nearer; a line that rises to "
+                "the right gathers error. Rest the pointer on a frame for its numbers. Answers Fig. 11 of Kircher and "
+                "Garland (2005).") +
          "</section>\n";
 }
 
 std::string trade_off_section(const Report& report) {
-  TradeOff chart{.name = "Error over change",
-                 .x_title = "triangles changed per frame, %",
-                 .y_title = fmt::format("RMS, \xc3\x97 {}", first_name(report)),
-                 .points = {}};
-  for (std::size_t m = 0; m < report.comparison.contenders().size(); ++m) {
-    const Contender& c = report.comparison.contenders()[m];
-    const std::optional<Statistic> changed = c.measure.summary().changed;
-    chart.points.push_back(
-        {name_of(report, m), MethodMark{m}, changed ? changed->mean : 0.0, report.comparison.relative(m).rms_by_frame});
-  }
+  const TradeOff chart = trade_off_chart(report);
   std::string html = "<section id=\"trade-off\">\n<h2>Error against change</h2>\n<figure>";
   html += fmt::format("<div class=\"wide\">{}</div><div class=\"narrow\">{}</div>", draw_trade_off(chart, Room::kWide),
                       draw_trade_off(chart, Room::kNarrow));
@@ -138,13 +118,11 @@ std::string trade_off_section(const Report& report) {
 
 std::string time_section(const Report& report) {
   return "<section id=\"time\">\n<h2>Time to adapt</h2>\n" +
-         frame_figure(
-             report, "Time to adapt each frame", "processor time, ms (logarithmic)", true,
-             "<b>Figure 3.</b> Processor time that deciding what a frame is made of takes, on one thread and "
-             "without listing the triangles; note the logarithmic scale. Answers Fig. 13 of Kircher and Garland "
-             "(2005), who show the time to play updates that were computed beforehand: <code>limber play</code> "
-             "prints that.",
-             [](const Contender& c, std::size_t t) { return 1000 * c.frames[t].adapt_seconds; }) +
+         figure(frame_chart(report, adapt_chart(report)),
+                "<b>Figure 3.</b> Processor time that deciding what a frame is made of takes, on one thread and "
+                "without listing the triangles; note the logarithmic scale. Answers Fig. 13 of Kircher and Garland "
+                "(2005), who show the time to play updates that were computed beforehand: <code>limber play</code> "
+                "prints that.") +
          "</section>\n";
 }
 
@@ -163,27 +141,11 @@ std::string storage_section(const Report& report) {
 }
 
 std::string histogram_section(const Report& report) {
-  const double high = report.pictures.error_range;
-  std::vector<std::vector<double>> shares;
-  double top = 0;
-  for (std::size_t m = 0; m < report.comparison.contenders().size(); ++m) {
-    shares.push_back(report.places.distribution(m).shares(high, kBars));
-    // The last bar holds a tail of any length: it may be cut off.
-    top = std::max(top, *std::max_element(shares.back().begin(), shares.back().end() - 1));
-  }
   std::string html = "<section id=\"histograms\">\n<h2>Error over the surface</h2>\n<figure><div class=\"small\">\n";
-  for (std::size_t m = 0; m < shares.size(); ++m) {
-    const double p95 = report.places.distribution(m).percentile(0.95);
-    const Histogram histogram{.name = fmt::format("Distances of {}", name_of(report, m)),
-                              .x_title = "distance, % of diagonal",
-                              .mark = MethodMark{m},
-                              .high = high,
-                              .top = top,
-                              .marked = p95,
-                              .shares = shares[m],
-                              .comparison = m == 0 ? std::vector<double>{} : shares[0]};
+  const std::vector<Histogram> histograms = distance_histograms(report);
+  for (std::size_t m = 0; m < histograms.size(); ++m) {
     html += fmt::format("<div><h3>{}{} <span>95 of 100 below {} %</span></h3>{}</div>\n", swatch(MethodMark{m}),
-                        escaped(name_of(report, m)), number(p95), draw_histogram(histogram));
+                        escaped(name_of(report, m)), number(histograms[m].marked), draw_histogram(histograms[m]));
   }
   return html +
          fmt::format(
@@ -201,21 +163,23 @@ std::string picture(const PictureRow& row, std::size_t i, const std::string& wha
                      row.width, row.height, row.pictures[i]);
 }
 
-// `value(method)`: the RMS distance to be named below a picture.
-template <class Value>
-std::string tiles(const Report& report, const PictureRow& row, std::optional<std::size_t> blamed, const Value& value) {
+// `words(method)`: what stands below a picture.
+template <class Words>
+std::string tiles(const Report& report, const PictureRow& row, std::optional<std::size_t> blamed, const Words& words) {
   const std::size_t frame = report.clip.first_frame + row.frame;
   std::string html =
       fmt::format("<div class=\"tiles\">\n<figure>{}<figcaption><b>original</b>{} vertices</figcaption></figure>\n",
                   picture(row, 0, fmt::format("frame {}, original", frame)), count(report.clip.vertex_count));
   for (std::size_t m = 0; m + 1 < row.pictures.size(); ++m) {
-    html += fmt::format("<figure class=\"{}{}\">{}<figcaption><b>{}{}</b>RMS {} %</figcaption></figure>\n",
+    html += fmt::format("<figure class=\"{}{}\">{}<figcaption><b>{}{}</b>{}</figcaption></figure>\n",
                         MethodMark{m}.color_class(), blamed == m ? " blamed" : "",
                         picture(row, m + 1, fmt::format("frame {}, {}", frame, name_of(report, m))),
-                        swatch(MethodMark{m}), escaped(name_of(report, m)), number(value(m)));
+                        swatch(MethodMark{m}), escaped(name_of(report, m)), words(m));
   }
   return html + "</div>\n";
 }
+
+std::string rms_words(double rms) { return fmt::format("RMS {} %", number(rms)); }
 
 std::string color_ramp(double range) {
   std::string stops;
@@ -242,7 +206,7 @@ std::string gallery_section(const Report& report) {
     html += fmt::format("<h3>Frame {}{}</h3>\n", report.clip.first_frame + row.frame,
                         is_worst ? fmt::format(" <span>where {} is worst</span>", escaped(first_name(report))) : "");
     html += tiles(report, row, {}, [&](std::size_t m) {
-      return report.comparison.contenders()[m].measure.frames()[row.frame].distance.rms;
+      return rms_words(report.comparison.contenders()[m].measure.frames()[row.frame].distance.rms);
     });
   }
   return html +
@@ -262,7 +226,8 @@ std::string close_up_section(const Report& report) {
                         close_up.method == 0
                             ? ""
                             : fmt::format(", {} {} %", escaped(first_name(report)), number(close_up.place.rms[0])));
-    html += tiles(report, close_up.row, close_up.method, [&](std::size_t m) { return close_up.place.rms[m]; });
+    html +=
+        tiles(report, close_up.row, close_up.method, [&](std::size_t m) { return rms_words(close_up.place.rms[m]); });
   }
   return html +
          fmt::format(
@@ -274,6 +239,46 @@ std::string close_up_section(const Report& report) {
              "least. "
              "The RMS below a picture is that of the neighbourhood in its middle.</figcaption></figure>\n</section>\n",
              escaped(first_name(report)));
+}
+
+std::string parts_section(const Report& report, int figure_number) {
+  const Parts& parts = *report.parts;
+  std::string html =
+      "<section id=\"parts\">\n<h2>Parts</h2>\n<div class=\"scroll\"><table>\n<thead><tr><th scope=\"col\">method</th>";
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    html += fmt::format("<th scope=\"col\">{0}<span>triangles</span></th><th scope=\"col\">{0}<span>RMS, %</span></th>",
+                        escaped(parts.ball(part).name));
+  }
+  html += "</tr></thead>\n<tbody>\n<tr><th scope=\"row\">the original</th>";
+  for (std::size_t part = 0; part < parts.size(); ++part)
+    html += fmt::format("<td>{}</td><td>{}</td>", count(parts.triangles(part).size()), number(std::optional<double>()));
+  html += "</tr>\n";
+  for (std::size_t m = 0; m < report.comparison.contenders().size(); ++m) {
+    html += fmt::format("<tr><th scope=\"row\">{}{}</th>", swatch(MethodMark{m}), escaped(name_of(report, m)));
+    for (std::size_t part = 0; part < parts.size(); ++part) {
+      const PartMeasure measure = parts.measure(part, m);
+      html += fmt::format("<td>{}</td><td>{}</td>", number(measure.triangles), number(measure.rms));
+    }
+    html += "</tr>\n";
+  }
+  html +=
+      "</tbody></table></div>\n<p class=\"note\"><b>Table 3.</b> What each method spends on the parts that were asked "
+      "for, and how near it comes to them: means over the frames. A part is what of the first frame lies in a ball, "
+      "and the same surface in every other; a triangle belongs to it where the middle of the triangle is nearest to "
+      "that surface.</p>\n<figure class=\"pictures\">" +
+      color_ramp(report.pictures.error_range);
+  for (std::size_t part = 0; part < report.pictures.parts.size(); ++part) {
+    const PictureRow& row = report.pictures.parts[part];
+    html += fmt::format("<h3>{} <span>in frame {}</span></h3>\n", escaped(parts.ball(part).name),
+                        report.clip.first_frame + row.frame);
+    html += tiles(report, row, {}, [&](std::size_t m) {
+      return fmt::format("{} triangles", count(static_cast<std::uint64_t>(parts.measure(part, m).last_triangles)));
+    });
+  }
+  return html + fmt::format(
+                    "<figcaption><b>Figure {}.</b> The parts in the last frame, with the triangles that are spent on "
+                    "them there. Answers Fig. 4 and 5 of Zhang and Wu (2007).</figcaption></figure>\n</section>\n",
+                    figure_number);
 }
 
 std::string made_section(const Report& report) {
@@ -313,14 +318,18 @@ std::string made_section(const Report& report) {
 }  // namespace
 
 std::string report_page(const Report& report) {
-  return fmt::format(
-             "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<meta name=\"viewport\" "
-             "content=\"width=device-width, initial-scale=1\"/>\n<meta name=\"generator\" content=\"limber {}\"/>\n"
-             "<title>{}: methods side by side</title>\n<style>{}</style>\n</head>\n<body>\n",
-             escaped(report.run.version), escaped(report.clip.name), report_style()) +
-         summary_section(report) + error_section(report) + trade_off_section(report) + time_section(report) +
-         storage_section(report) + histogram_section(report) + gallery_section(report) + close_up_section(report) +
-         made_section(report) + "</body>\n</html>\n";
+  std::string page =
+      fmt::format(
+          "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<meta name=\"viewport\" "
+          "content=\"width=device-width, initial-scale=1\"/>\n<meta name=\"generator\" content=\"limber {}\"/>\n"
+          "<title>{}: methods side by side</title>\n<style>{}</style>\n</head>\n<body>\n",
+          escaped(report.run.version), escaped(report.clip.name), report_style()) +
+      summary_section(report) + error_section(report) + trade_off_section(report) + time_section(report) +
+      storage_section(report) + histogram_section(report) + gallery_section(report) + close_up_section(report);
+  int figure_number = 7;
+  if (report.parts != nullptr && report.parts->size() > 0) page += parts_section(report, figure_number++);
+  if (!report.sweeps.empty()) page += sweep_section(report.sweeps, first_name(report), figure_number);
+  return page + made_section(report) + "</body>\n</html>\n";
 }
 
 }  // namespace limber::eval

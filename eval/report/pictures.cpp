@@ -7,6 +7,7 @@
 
 #include "eval/png.h"
 #include "eval/report/words.h"
+#include "eval/sheet.h"
 #include "limber/base/portable_math.h"
 
 namespace limber::eval {
@@ -71,60 +72,101 @@ std::vector<Triangle> behind(const Surface& surface, const Vec3d& point, const V
   return kept;
 }
 
+// Where a close-up is taken from.
+struct Stand {
+  Vec3d target{};
+  Vec3d to_eye{};     // unit
+  double radius = 0;  // half the height of the picture, at the target
+};
+
+// Takes the pictures of a row, the original's first.
 struct Studio {
   const Mesh& mesh;
   PictureOptions options;
+  std::vector<std::string> sheet_labels;
   std::size_t taken = 0, all = 0;
   const std::function<bool(std::size_t, std::size_t)>& done;
+  std::vector<SheetTile> tiles{};  // of the row that is being made
 
-  Result<void> add(PictureRow& row, const Image& image) {
+  Result<void> add(PictureRow& row, Image image) {
     Result<std::string> text = png_text(image);
     if (!text) return text.error();
     row.pictures.push_back(std::move(*text));
+    if (!sheet_labels.empty()) tiles.push_back({std::move(image), sheet_labels[tiles.size()]});
     if (!done(++taken, all)) return Error{ErrorCode::kCancelled, "", "stopped"};
     return {};
   }
 
+  Result<PictureRow> finished(PictureRow row) {
+    if (tiles.empty()) return row;
+    Result<std::vector<std::byte>> sheet = encode_png(
+        contact_sheet(tiles, {.columns = static_cast<int>(tiles.size() <= 6 ? tiles.size() : (tiles.size() + 1) / 2),
+                              .gap = 8,
+                              .text_height = 0.034 * options.width}));
+    tiles.clear();
+    if (!sheet) return sheet.error();
+    row.sheet = std::move(*sheet);
+    return row;
+  }
+
+  PictureRow empty_row(const KeptFrame& kept) const {
+    return {.frame = kept.frame, .width = options.width, .height = options.height, .pictures = {}, .sheet = {}};
+  }
+
+  PictureOptions plain() const {
+    PictureOptions changed = options;
+    changed.error_colors = changed.wireframe = false;
+    changed.shading = Shading::kSmooth;
+    return changed;
+  }
+
   Result<PictureRow> whole(const KeptFrame& kept) {
-    PictureRow row{.frame = kept.frame, .width = options.width, .height = options.height, .pictures = {}};
+    PictureRow row = empty_row(kept);
     const Surface original{mesh.triangles, kept.original};
     const Camera camera = fitted_camera(original, options);
-    PictureOptions plain = options;
-    plain.error_colors = plain.wireframe = false;
-    plain.shading = Shading::kSmooth;
-    if (Result<void> added = add(row, Photographer(plain, camera).take(original, {})); !added) return added.error();
+    if (Result<void> added = add(row, Photographer(plain(), camera).take(original, {})); !added) return added.error();
     Photographer photographer(options, camera);
     for (const KeptFrame::Made& made : kept.made) {
       if (Result<void> added = add(row, photographer.take(made, original)); !added) return added.error();
     }
-    return row;
+    return finished(std::move(row));
   }
 
-  Result<PictureRow> close(const KeptFrame& kept, const WorstPlace& place) {
-    PictureRow row{.frame = kept.frame, .width = options.width, .height = options.height, .pictures = {}};
+  Result<PictureRow> close(const KeptFrame& kept, const Stand& stand) {
+    PictureRow row = empty_row(kept);
     const Surface original{mesh.triangles, kept.original};
-    const double radius = kCloseUpRadius * bounding_box(original).diagonal();
     Camera camera;
-    Vec3d to_eye = place.normal + direction_to_eye(options.view, options.up) * 0.3;
-    if (!(length(to_eye) > 0.1)) to_eye = direction_to_eye(options.view, options.up);
-    to_eye = to_eye * (1 / length(to_eye));
-    camera.target = place.point;
+    camera.target = stand.target;
     camera.up = up_vector(options.up);
-    camera.eye = place.point + to_eye * (radius / 0.21256);  // the tangent of half the field of view
-    PictureOptions plain = options;
-    plain.error_colors = plain.wireframe = false;
-    plain.shading = Shading::kSmooth;
-    const std::vector<Triangle> shown = behind(original, place.point, to_eye, 1.5 * radius);
-    const Image image = Photographer(plain, camera).take({shown, original.positions}, {});
+    camera.eye = stand.target + stand.to_eye * (stand.radius / 0.21256);  // the tangent of half the field of view
+    const std::vector<Triangle> shown = behind(original, stand.target, stand.to_eye, 1.5 * stand.radius);
+    const Image image = Photographer(plain(), camera).take({shown, original.positions}, {});
     if (Result<void> added = add(row, image); !added) return added.error();
     Photographer photographer(options, camera);
     for (const KeptFrame::Made& made : kept.made) {
-      const std::vector<Triangle> visible = behind(made, place.point, to_eye, 1.5 * radius);
+      const std::vector<Triangle> visible = behind(made, stand.target, stand.to_eye, 1.5 * stand.radius);
       const Image shot = visible.empty() ? Image(options.width, options.height, options.background)
                                          : photographer.take({visible, made.positions}, original);
       if (Result<void> added = add(row, shot); !added) return added.error();
     }
-    return row;
+    return finished(std::move(row));
+  }
+
+  Result<PictureRow> worst(const KeptFrame& kept, const WorstPlace& place) {
+    Vec3d to_eye = place.normal + direction_to_eye(options.view, options.up) * 0.3;
+    if (!(length(to_eye) > 0.1)) to_eye = direction_to_eye(options.view, options.up);
+    const double diagonal = bounding_box({mesh.triangles, kept.original}).diagonal();
+    return close(kept, {place.point, to_eye * (1 / length(to_eye)), kCloseUpRadius * diagonal});
+  }
+
+  Result<PictureRow> part(const KeptFrame& kept, std::span<const Index> triangles) {
+    const Surface original{mesh.triangles, kept.original};
+    Box box;
+    for (const Index t : triangles) {
+      for (std::size_t k = 0; k < 3; ++k) box.add(corner(original, t, k));
+    }
+    const Vec3d middle = (box.low + box.high) * 0.5;
+    return close(kept, {middle, direction_to_eye(options.view, options.up), 0.5 * box.diagonal()});
   }
 };
 
@@ -156,8 +198,10 @@ Result<PictureSet> take_report_pictures(const Mesh& mesh, const KeptFrames& kept
                                         const std::function<bool(std::size_t, std::size_t)>& done) {
   const std::vector<KeptFrames::Kept> frames = kept.gallery();
   const std::size_t per_row = 1 + frames.front()->made.size();
-  const std::size_t all = per_row * (frames.size() + shown.size());
-  Studio studio{.mesh = mesh, .options = {}, .taken = 0, .all = all, .done = done};
+  const std::size_t part_count = options.parts != nullptr ? options.parts->size() : 0;
+  const std::size_t all = per_row * (frames.size() + shown.size() + part_count);
+  Studio studio{
+      .mesh = mesh, .options = {}, .sheet_labels = options.sheet_labels, .taken = 0, .all = all, .done = done};
   studio.options.width = picture_width(all);
   studio.options.height = static_cast<int>(studio.options.width / kAspect);
   studio.options.view = options.view;
@@ -170,14 +214,19 @@ Result<PictureSet> take_report_pictures(const Mesh& mesh, const KeptFrames& kept
   studio.options.ground = false;
   studio.options.background = kTransparent;
 
-  PictureSet set{.gallery = {}, .close_ups = {}, .error_range = options.error_range};
+  PictureSet set{.gallery = {}, .parts = {}, .close_ups = {}, .error_range = options.error_range};
   for (const KeptFrames::Kept& frame : frames) {
     Result<PictureRow> row = studio.whole(*frame);
     if (!row) return row.error();
     set.gallery.push_back(std::move(*row));
   }
+  for (std::size_t part = 0; part < part_count; ++part) {
+    Result<PictureRow> row = studio.part(*frames.back(), options.parts->triangles(part));
+    if (!row) return row.error();
+    set.parts.push_back(std::move(*row));
+  }
   for (const std::size_t method : shown) {
-    Result<PictureRow> row = studio.close(*kept.worst_of(method), places.of(method));
+    Result<PictureRow> row = studio.worst(*kept.worst_of(method), places.of(method));
     if (!row) return row.error();
     set.close_ups.push_back({method, places.of(method), std::move(*row)});
   }

@@ -10,6 +10,7 @@
 
 #include "eval/picture.h"
 #include "eval/report/kept_frames.h"
+#include "eval/report/parts.h"
 #include "eval/report/worst_places.h"
 #include "limber/base/mesh.h"
 #include "limber/base/result.h"
@@ -21,6 +22,7 @@ struct PictureRow {
   std::size_t frame = 0;  // counted from 0
   int width = 0, height = 0;
   std::vector<std::string> pictures{};  // [1 + methods]: PNG in base64; the original first
+  std::vector<std::byte> sheet{};       // where asked for: a PNG file of all of them, with labels
 };
 
 struct CloseUp {
@@ -31,6 +33,7 @@ struct CloseUp {
 
 struct PictureSet {
   std::vector<PictureRow> gallery{};
+  std::vector<PictureRow> parts{};  // [parts], of the last frame
   std::vector<CloseUp> close_ups{};
   double error_range = 0;  // where the colours of all pictures end, percent of the diagonal
 };
@@ -39,6 +42,8 @@ struct PictureSetOptions {
   View view{};
   UpAxis up = UpAxis::kY;
   double error_range = 1;
+  const Parts* parts = nullptr;             // nothing: none are shown
+  std::vector<std::string> sheet_labels{};  // [1 + methods], or empty: no sheets are made
 };
 
 // The methods whose worst places are shown: of all but the first, in the order of what they lose there, the worst, the

@@ -9,8 +9,10 @@
 #include <vector>
 
 #include "eval/comparison.h"
+#include "eval/report/parts.h"
 #include "eval/report/pictures.h"
 #include "eval/report/storage.h"
+#include "eval/report/sweep.h"
 #include "eval/report/worst_places.h"
 
 namespace limber::eval {
@@ -50,6 +52,8 @@ struct Report {
   std::vector<StorageRow> storage{};
   std::optional<BuildReport> stream{};
   PictureSet pictures{};
+  const Parts* parts = nullptr;  // of the same methods and frames; may be nothing, as may be the sweeps
+  std::vector<Sweep> sweeps{};
 };
 
 // Where the colours and histograms of a report shall end, in percent of the diagonal: a round number that 99 of 100
@@ -60,10 +64,20 @@ double report_error_range(const WorstPlaces& places, std::size_t method_count);
 std::string report_page(const Report& report);
 
 // Schema "limber.compare/1", without the pictures: `clip`, `run`, `storage`, `gallery` (frame numbers), `close_ups`,
-// and the rest of "limber.simplify/1", each method with the `distribution` of its distances.
+// `parts`, `sweeps`, and the rest of "limber.simplify/1", each method with the `distribution` of its distances.
 nlohmann::ordered_json report_json(const Report& report);
 
 // A line per method and frame under a line of headings; no value: nothing between the commas.
 std::string report_csv(const Comparison& comparison);
+
+// A file of its own.
+struct ReportFigure {
+  std::string name{};  // of the file
+  std::string bytes{};
+};
+
+// What the page shows, for other documents: charts as SVG (rms, trade-off, adapt-time, histograms, sweep-NAME) and rows
+// of pictures as PNG (frame-NUMBER, part-NAME, worst-NUMBER), the latter where sheets have been asked for.
+std::vector<ReportFigure> report_figures(const Report& report);
 
 }  // namespace limber::eval

@@ -61,6 +61,27 @@ Json close_ups_json(const Report& report) {
   return close_ups;
 }
 
+Json parts_json(const Report& report) {
+  Json parts = Json::array();
+  for (std::size_t part = 0; report.parts != nullptr && part < report.parts->size(); ++part) {
+    const PartBall& ball = report.parts->ball(part);
+    Json methods = Json::array();
+    for (std::size_t m = 0; m < report.comparison.contenders().size(); ++m) {
+      const PartMeasure measure = report.parts->measure(part, m);
+      methods.push_back({{"method", report.comparison.contenders()[m].info->name},
+                         {"triangles", measure.triangles},
+                         {"triangles_last_frame", measure.last_triangles},
+                         {"rms", measure.rms}});
+    }
+    parts.push_back({{"name", ball.name},
+                     {"center", {ball.center.x, ball.center.y, ball.center.z}},
+                     {"radius", ball.radius},
+                     {"original_triangles", report.parts->triangles(part).size()},
+                     {"methods", methods}});
+  }
+  return parts;
+}
+
 }  // namespace
 
 double report_error_range(const WorstPlaces& places, std::size_t method_count) {
@@ -92,6 +113,8 @@ Json report_json(const Report& report) {
                {"storage", storage_json(report)},
                {"gallery", gallery},
                {"close_ups", close_ups_json(report)},
+               {"parts", parts_json(report)},
+               {"sweeps", sweeps_json(report.sweeps)},
                {"error_range", report.pictures.error_range}};
   Json compared = comparison_json(report.comparison);
   compared.erase("schema");

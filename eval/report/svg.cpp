@@ -38,6 +38,21 @@ std::string open_svg(double width, double height, std::string_view name) {
       width, height, escaped(name));
 }
 
+std::string side_by_side(std::span<const std::string> drawings, double width, double height, std::string_view name) {
+  constexpr std::size_t kColumns = 4;
+  constexpr double kGap = 20;
+  const std::size_t columns = std::min(kColumns, drawings.size());
+  const std::size_t rows = (drawings.size() + kColumns - 1) / kColumns;
+  std::string svg = open_svg(static_cast<double>(columns) * (width + kGap) - kGap,
+                             static_cast<double>(rows) * (height + kGap) - kGap, name);
+  for (std::size_t i = 0; i < drawings.size(); ++i) {
+    svg += fmt::format("<g transform=\"translate({:.0f} {:.0f})\">{}</g>\n",
+                       static_cast<double>(i % kColumns) * (width + kGap),
+                       static_cast<double>(i / kColumns) * (height + kGap), drawings[i]);
+  }
+  return svg + "</svg>\n";
+}
+
 std::string draw_axes(const Plot& plot, bool x_is_share) {
   std::string svg = "<g class=\"axes\">\n";
   for (const double tick : plot.y.ticks) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,6 +37,9 @@ struct Plot {
 
 // Opens a drawing that a screen reader calls by the given name. The caller closes it with "</svg>".
 std::string open_svg(double width, double height, std::string_view name);
+
+// One drawing of several of the same size, four in a row.
+std::string side_by_side(std::span<const std::string> drawings, double width, double height, std::string_view name);
 
 // Grid, ticks and titles. `labels` of ticks: percent of shares instead of the number where `x_is_share`.
 std::string draw_axes(const Plot& plot, bool x_is_share = false);

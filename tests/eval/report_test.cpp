@@ -10,6 +10,7 @@
 
 #include "eval/report/axis.h"
 #include "eval/report/charts.h"
+#include "eval/report/style.h"
 #include "eval/report/tables.h"
 #include "eval/report/words.h"
 #include "limber/clip/clip.h"
@@ -157,6 +158,48 @@ TEST(FrameChart, AVeryLongClipStaysSmall) {
   EXPECT_LT(draw_frame_chart(chart, Room::kWide).size(), 100'000u);
 }
 
+TEST(FrameChart, WhatIsAboveTheTopIsCutOffWhereTheLineLeaves) {
+  const FrameChart chart{
+      .name = "a",
+      .y_title = "b",
+      .low = 0,
+      .top = 1,
+      .series = {{"stays", MethodMark{0}, {0.5, 0.5}}, {"goes", MethodMark{1}, {0.0, 2.0, 0.0, 2.0}}}};
+  const std::string svg = draw_frame_chart(chart, Room::kNarrow);
+  EXPECT_EQ(test::markup_fault(svg), "");
+  // Up to the top, halfway between the frames, twice, and down from it once: at y = 26.
+  std::size_t at_top = 0;
+  for (std::size_t at = svg.find(" 26.0"); at != std::string::npos; at = svg.find(" 26.0", at + 1)) ++at_top;
+  EXPECT_GE(at_top, 3u);
+  EXPECT_THAT(svg, Not(HasSubstr(" -")));
+  const std::string wide = draw_frame_chart(chart, Room::kWide);
+  EXPECT_THAT(wide, HasSubstr(">stays</text>"));
+  EXPECT_THAT(wide, Not(HasSubstr(">goes</text>")));
+}
+
+TEST(SweepChart, ValuesAreItsTicksAndThoseFarApartAreSpread) {
+  const auto chart = [](std::vector<SweepChart::Point> points) {
+    return draw_sweep_chart({.name = "a", .x_title = "b", .y_title = "c", .used = 0.9, .points = std::move(points)});
+  };
+  const std::string linear = chart({{0.5, 1}, {0.9, 2}, {1, kNothing}});
+  EXPECT_EQ(test::markup_fault(linear), "");
+  for (const char* const tick : {">0.5<", ">0.9<", ">1.0<", "class=\"marked\""}) EXPECT_THAT(linear, HasSubstr(tick));
+  EXPECT_THAT(linear, Not(HasSubstr("nan")));
+  // A tenth of the way by value, and half of it by ratio.
+  EXPECT_THAT(chart({{1, 1}, {10, 2}, {100, 3}}), HasSubstr("<path class=\"tick\" d=\"M175.0 "));
+  for (const std::string& svg : {chart({}), chart({{3, 0}}), chart({{0, 1}, {0, 1}})})
+    EXPECT_EQ(test::markup_fault(svg), "");
+}
+
+TEST(Standalone, ADrawingIsAFileWithItsStyle) {
+  const std::string drawing = open_svg(100, 50, "a<b>") + "<path d=\"M0 0\"/></svg>\n";
+  const std::string file = standalone(side_by_side(std::vector(6, drawing), 100, 50, "six"));
+  EXPECT_EQ(test::markup_fault(file), "");
+  EXPECT_TRUE(file.starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 492 152\""));
+  EXPECT_THAT(file, HasSubstr("translate(120 70)"));
+  EXPECT_THAT(file, HasSubstr("prefers-color-scheme: dark"));
+}
+
 TEST(TradeOff, WhatIsNotFiniteIsLeftOut) {
   const double infinity = std::numeric_limits<double>::infinity();
   const TradeOff chart{.name = "a",
@@ -205,6 +248,38 @@ TEST(WorstPlaces, FindsTheCornerThatIsMissing) {
   EXPECT_LT(places.of(1).rms[0], 1e-5);
   EXPECT_GT(places.of(1).rms[1], 5);
   EXPECT_THAT(chosen_places(places, 2, 4), ElementsAre(1));
+}
+
+TEST(Parts, FollowTheSurfaceAndCountWhatLiesNearest) {
+  // A square of two triangles that moves away; of one approximation both are left, of the other one, off by a tenth.
+  const std::vector<Triangle> triangles = {{0, 1, 2}, {0, 2, 3}};
+  std::vector<Vec3f> square = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  Parts parts({{"corner", {0.7, 0.3, 0}, 0.1}, {"all", {0.5, 0.5, 0}, 1}}, 2, 1);
+  const std::vector<Triangle> half = {{0, 1, 2}};
+  for (int frame = 0; frame < 2; ++frame) {
+    std::vector<Vec3f> lifted = square;
+    for (Vec3f& p : lifted) p.z += 0.1f;
+    const Surface approximations[] = {{triangles, square}, {half, lifted}};
+    ASSERT_TRUE(parts.add({triangles, square}, approximations));
+    for (Vec3f& p : square) p.x += 5;
+  }
+  EXPECT_THAT(parts.triangles(0), ElementsAre(0));
+  EXPECT_THAT(parts.triangles(1), ElementsAre(0, 1));
+  EXPECT_EQ(parts.measure(0, 0).triangles, 1);
+  EXPECT_EQ(parts.measure(1, 0).triangles, 2);
+  EXPECT_EQ(parts.measure(1, 1).last_triangles, 1);
+  EXPECT_LT(parts.measure(1, 0).rms, 1e-4);
+  EXPECT_NEAR(parts.measure(0, 1).rms, 10 / std::sqrt(2.0), 1e-3);
+}
+
+TEST(Parts, ABallBesideTheSurfaceIsRefused) {
+  const std::vector<Triangle> triangles = {{0, 1, 2}};
+  const std::vector<Vec3f> positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  const Surface surface{triangles, positions};
+  Parts parts({{"tail", {9, 9, 9}, 1}}, 1, 1);
+  const Result<void> added = parts.add(surface, std::span(&surface, 1));
+  ASSERT_FALSE(added);
+  EXPECT_THAT(added.error().line(), HasSubstr("tail"));
 }
 
 // The parts of a page of the methods named, of a clip of so many frames.
@@ -257,6 +332,43 @@ TEST(ReportPage, IsWholeForOneFrameAndOneMethod) {
   EXPECT_THAT(page, HasSubstr("a&lt;b&gt;"));
   EXPECT_THAT(page, Not(HasSubstr("a<b>")));
   EXPECT_THAT(page, Not(HasSubstr(">nan")));
+}
+
+TEST(ReportPage, ShowsSweepsAndHasThemInItsJson) {
+  const MethodInfo* const methods[] = {find_method("direct"), find_method("first-frame")};
+  const auto made = make({methods[0], methods[1]}, "sample:gallop?vertices=400&frames=3", 3);
+  const auto alone = make({methods[1]}, "sample:gallop?vertices=400&frames=3", 3);
+  const auto pictures = take_report_pictures(made->mesh, made->kept, made->places, {},
+                                             {.sheet_labels = {"original", "direct", "first-frame"}},
+                                             [](std::size_t, std::size_t) { return true; });
+  ASSERT_TRUE(pictures);
+  Report report = report_of(*made, *pictures);
+  const SweepPoint point = sweep_point(0.5, alone->comparison, made->comparison);
+  EXPECT_NEAR(point.relative, made->comparison.relative(1).rms_by_frame, 1e-12);
+  EXPECT_FALSE(point.choice_bytes);
+  report.sweeps = {{.parameter = "k<1>", .method = methods[1], .mark = {1}, .used = 0.5, .points = {point, point}}};
+  report.sweeps.front().points.back().value = 0.7;
+  const std::string page = report_page(report);
+  EXPECT_EQ(test::markup_fault(page), "");
+  EXPECT_THAT(page, HasSubstr("<section id=\"sweeps\">"));
+  EXPECT_THAT(page, HasSubstr("k&lt;1&gt;"));
+  const auto json = report_json(report);
+  EXPECT_EQ(json["sweeps"][0]["points"][1]["value"], 0.7);
+  EXPECT_EQ(json["sweeps"][0]["points"][0]["relative_rms"], point.relative);
+  EXPECT_TRUE(json["parts"].empty());
+
+  std::vector<std::string> names;
+  for (const ReportFigure& figure : report_figures(report)) {
+    names.push_back(figure.name);
+    if (figure.name.ends_with(".svg")) {
+      EXPECT_EQ(test::markup_fault(figure.bytes), "") << figure.name;
+    } else {
+      EXPECT_THAT(figure.bytes, testing::StartsWith("\x89PNG")) << figure.name;
+    }
+  }
+  for (const char* const name :
+       {"rms.svg", "trade-off.svg", "adapt-time.svg", "histograms.svg", "sweep-k-1-.svg", "frame-0002.png"})
+    EXPECT_THAT(names, testing::Contains(name));
 }
 
 TEST(ReportPage, TakingPicturesStopsWhenAsked) {

@@ -138,6 +138,69 @@ TEST_F(CompareVerb, AFileIsNoFolder) {
   EXPECT_EQ(bytes(path("report")), "mine");
 }
 
+TEST_F(CompareVerb, SweepsAParameterOfAMethodThatNeedNotBeAmongThoseCompared) {
+  std::vector<std::string> arguments = two_methods(path("report"));
+  arguments.insert(arguments.end(), {"--sweep", "unified=1,0.5", "--sweep", "threshold=0,0.05", "--json"});
+  const Ran ran = run(arguments);
+  ASSERT_EQ(ran.exit, Exit::kDone) << ran.err;
+  const auto json = ran.json();
+  ASSERT_EQ(json["sweeps"].size(), 2u);
+  EXPECT_EQ(json["sweeps"][0]["parameter"], "unified");
+  EXPECT_EQ(json["sweeps"][0]["method"], "feature");
+  EXPECT_EQ(json["sweeps"][0]["used"], 0.96);
+  EXPECT_EQ(json["sweeps"][0]["points"][0]["value"], 0.5);
+  // With all contractions in common no triangle ever changes.
+  EXPECT_EQ(json["sweeps"][0]["points"][1]["changed"], 0.0);
+  EXPECT_GT(json["sweeps"][0]["points"][0]["changed"], 0.0);
+  EXPECT_GT(json["sweeps"][1]["points"][0]["choice_bytes_per_frame"], 0.0);
+  const std::string page = bytes(path("report/index.html"));
+  EXPECT_EQ(markup_fault(page), "");
+  EXPECT_THAT(page, HasSubstr("--sweep unified=1,0.5 --sweep threshold=0,0.05"));
+  EXPECT_THAT(page, HasSubstr("limber simplify &#39;sample:gallop?vertices=600&amp;frames=3&#39; --vertices 80"));
+}
+
+TEST_F(CompareVerb, AValueOfASweepIsWhatTheOptionGives) {
+  std::vector<std::string> arguments = {"compare",     "sample:gallop?vertices=600&frames=2",
+                                        "--method",    "direct,feature",
+                                        "--vertices",  "80",
+                                        "--samples",   "2000",
+                                        "--k1",        "2",
+                                        "--sweep",     "k1=2,0",
+                                        "--json",      "-o",
+                                        path("report")};
+  const auto json = run(arguments).json();
+  EXPECT_EQ(json["sweeps"][0]["points"][1]["rms"], json["methods"][1]["rms"]);
+  EXPECT_EQ(json["sweeps"][0]["used"], 2.0);
+}
+
+TEST_F(CompareVerb, CountsTheTrianglesOfAPart) {
+  std::vector<std::string> arguments = two_methods(path("report"));
+  arguments.insert(arguments.end(), {"--part", "everything=0,0,0,1000", "--figures", "--json"});
+  const Ran ran = run(arguments);
+  ASSERT_EQ(ran.exit, Exit::kDone) << ran.err;
+  const auto json = ran.json();
+  EXPECT_EQ(json["parts"][0]["original_triangles"], json["clip"]["triangles"]);
+  for (std::size_t m = 0; m < 2; ++m) {
+    EXPECT_EQ(json["parts"][0]["methods"][m]["triangles_last_frame"], json["methods"][m]["frames"][2]["triangles"]);
+    const double part = json["parts"][0]["methods"][m]["rms"], all = json["methods"][m]["rms"];
+    EXPECT_NEAR(part, all, 0.15 * all);
+  }
+  const std::string page = bytes(path("report/index.html"));
+  EXPECT_EQ(markup_fault(page), "");
+  EXPECT_THAT(page, HasSubstr("<section id=\"parts\">"));
+  for (const char* const name : {"rms.svg", "part-everything.png", "frame-0000.png"})
+    EXPECT_TRUE(std::filesystem::exists(path("report/") + name)) << name;
+}
+
+TEST_F(CompareVerb, APartWhereNothingIsIsRefused) {
+  std::vector<std::string> arguments = two_methods(path("report"));
+  arguments.insert(arguments.end(), {"--part", "tail=1000,0,0,1"});
+  const Ran ran = run(arguments);
+  EXPECT_EQ(ran.exit, Exit::kBadInput);
+  EXPECT_THAT(ran.err, HasSubstr("tail"));
+  EXPECT_TRUE(names().empty());
+}
+
 TEST_F(CompareVerb, ArgumentsThatMakeNoSenseAreRefused) {
   const auto exit = [&](std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), {"compare", kSample});
@@ -148,6 +211,12 @@ TEST_F(CompareVerb, ArgumentsThatMakeNoSenseAreRefused) {
   EXPECT_EQ(exit({"--vertices", "80", "-o", "-"}), Exit::kUsage);
   EXPECT_EQ(exit({"--vertices", "80", "--method", "best", "-o", path("report")}), Exit::kUsage);
   EXPECT_EQ(exit({"--vertices", "80", "--view", "inside", "-o", path("report")}), Exit::kUsage);
+  for (const char* const sweep :
+       {"unified", "unified=", "unified=1", "unified=1,1", "unified=1,2", "unified=1,a", "unified=1,0.5,", "k=1,2"})
+    EXPECT_EQ(exit({"--vertices", "80", "--sweep", sweep, "-o", path("report")}), Exit::kUsage) << sweep;
+  for (const char* const part :
+       {"ear", "=1,2,3,4", "ear=1,2,3", "ear=1,2,3,4,5", "ear=1,2,3,0", "ear=1,,3,4", "../ear=1,2,3,4"})
+    EXPECT_EQ(exit({"--vertices", "80", "--part", part, "-o", path("report")}), Exit::kUsage) << part;
   EXPECT_TRUE(names().empty());
 }
 

@@ -34,6 +34,20 @@ TEST_F(Info, SwapsAreThoseThatBuildReports) {
   EXPECT_EQ(told["bytes_per_frame"], built["bytes_per_frame"]);
 }
 
+TEST_F(Info, DegenerateSetsChangeWhereSwapsAre) {
+  const auto json = run({"info", stream(), "--frames", "--json"}).json();
+  double sum = 0;
+  for (const auto& row : json["frame_table"]) {
+    const double changes = row["degenerate_changes"];
+    if (row["swaps"] == 0) {
+      EXPECT_EQ(changes, 0);
+    }
+    sum += changes;
+  }
+  EXPECT_GT(sum, 0);
+  EXPECT_NEAR(json["degenerate_changes"]["mean"].get<double>() * 7, sum, 1e-6);
+}
+
 TEST_F(Info, AStreamThatEndsEarlyIsShownWithAWarning) {
   const std::string whole = bytes(stream());
   write(path("b.limber"), whole.substr(0, whole.size() * 2 / 3));

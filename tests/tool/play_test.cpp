@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+
+#include "tests/support/markup.h"
 #include "tests/tool/run.h"
 
 namespace limber::test {
@@ -18,6 +21,18 @@ TEST_F(Play, ReportsTheTimesOfEveryStep) {
     EXPECT_GE(json["milliseconds"][step]["median"], 0.0) << step;
     EXPECT_GE(json["milliseconds"][step]["p95"], json["milliseconds"][step]["median"]) << step;
   }
+}
+
+TEST_F(Play, DrawsTheUpdateOfEveryFrame) {
+  const std::string file = stream();
+  const Ran ran = run({"play", file, "--json", "-o", path("update.svg")});
+  ASSERT_EQ(ran.exit, Exit::kDone) << ran.err;
+  EXPECT_EQ(ran.json()["frame_update_milliseconds"].size() + 1, ran.json()["frames"].get<std::size_t>());
+  const std::string chart = bytes(path("update.svg"));
+  EXPECT_EQ(markup_fault(chart), "");
+  EXPECT_THAT(chart, testing::HasSubstr(">hierarchy</text>"));
+  EXPECT_EQ(run({"play", file, "-o", path("update.svg")}).exit, Exit::kFailure);
+  EXPECT_EQ(run({"play", file, "-o", path("update.png")}).exit, Exit::kUsage);
 }
 
 TEST_F(Play, AStreamOfOneFrameHasNoSteps) {
