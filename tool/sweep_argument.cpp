@@ -26,6 +26,7 @@ constexpr Parameter kParameters[] = {
     {"threshold", "multilevel", [](eval::MethodOptions& o) -> double& { return o.threshold; }},
     {"branching", "multilevel", [](eval::MethodOptions& o) -> double& { return o.branching; }},
     {"coarser-weight", "multilevel", [](eval::MethodOptions& o) -> double& { return o.coarser_weight; }},
+    {"history", "t-dag", [](eval::MethodOptions& o) -> double& { return o.history; }},
 };
 
 const Parameter& find_parameter(const std::string& name) {

@@ -58,7 +58,7 @@ SweepPoint sweep_point(double value, const Comparison& tried, const Comparison& 
                    .rms_worst = summary.rms.worst,
                    .max = summary.max.mean,
                    .relative = 0,
-                   .quadric_error = mean_of(contender, [](const MethodFrame& f) { return f.quadric_error; }),
+                   .quadric_error = mean_of(contender, [](const MethodFrame& f) { return f.quadric_error.value_or(0); }),
                    .flicker = mean_of(summary.flicker),
                    .changed = mean_of(summary.changed),
                    .choice_bytes = {},
