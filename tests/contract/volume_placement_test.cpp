@@ -63,7 +63,8 @@ TEST(VolumePlacement, CostsWhatTheTrianglesAroundTheEdgeSay) {
     const Vec3d x = (p[0] + p[1]) * 0.5 + placed.point;
     EXPECT_NEAR(placed.cost, cost_at(p, x), 1e-9);
     test::Random random(seed);
-    for (int i = 0; i < 20; ++i) EXPECT_GE(cost_at(p, x + static_cast<Vec3d>(random.point()) * 0.1), placed.cost - 1e-12);
+    for (int i = 0; i < 20; ++i)
+      EXPECT_GE(cost_at(p, x + static_cast<Vec3d>(random.point()) * 0.1), placed.cost - 1e-12);
   }
 }
 
