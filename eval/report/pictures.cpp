@@ -8,6 +8,7 @@
 #include "eval/png.h"
 #include "eval/report/words.h"
 #include "eval/sheet.h"
+#include "eval/text.h"
 #include "limber/base/portable_math.h"
 
 namespace limber::eval {
@@ -72,6 +73,12 @@ std::vector<Triangle> behind(const Surface& surface, const Vec3d& point, const V
   return kept;
 }
 
+Image on_white(const Image& image) {
+  Image result(image.width, image.height, kWhite);
+  for (std::size_t i = 0; i < result.pixels.size(); ++i) blend(result.pixels[i], image.pixels[i], 1);
+  return result;
+}
+
 // Where a close-up is taken from.
 struct Stand {
   Vec3d target{};
@@ -88,11 +95,11 @@ struct Studio {
   const std::function<bool(std::size_t, std::size_t)>& done;
   std::vector<SheetTile> tiles{};  // of the row that is being made
 
-  Result<void> add(PictureRow& row, Image image) {
+  Result<void> add(PictureRow& row, const Image& image) {
     Result<std::string> text = png_text(image);
     if (!text) return text.error();
     row.pictures.push_back(std::move(*text));
-    if (!sheet_labels.empty()) tiles.push_back({std::move(image), sheet_labels[tiles.size()]});
+    if (!sheet_labels.empty()) tiles.push_back({on_white(image), sheet_labels[tiles.size()]});
     if (!done(++taken, all)) return Error{ErrorCode::kCancelled, "", "stopped"};
     return {};
   }
