@@ -73,10 +73,27 @@ std::vector<Triangle> behind(const Surface& surface, const Vec3d& point, const V
   return kept;
 }
 
-Image on_white(const Image& image) {
-  Image result(image.width, image.height, kWhite);
-  for (std::size_t i = 0; i < result.pixels.size(); ++i) blend(result.pixels[i], image.pixels[i], 1);
-  return result;
+// Without the empty margins that all of them have, on white.
+void crop(std::vector<SheetTile>& tiles) {
+  const Image& first = tiles.front().image;
+  int left = first.width, right = 0, top = first.height, bottom = 0;
+  for (const SheetTile& tile : tiles) {
+    for (int y = 0; y < first.height; ++y) {
+      for (int x = 0; x < first.width; ++x) {
+        if (tile.image.at(x, y).a == 0) continue;
+        left = std::min(left, x), right = std::max(right, x + 1);
+        top = std::min(top, y), bottom = std::max(bottom, y + 1);
+      }
+    }
+  }
+  if (right <= left) left = 0, right = first.width, top = 0, bottom = first.height;
+  for (SheetTile& tile : tiles) {
+    Image cropped(right - left, bottom - top, kWhite);
+    for (int y = top; y < bottom; ++y) {
+      for (int x = left; x < right; ++x) blend(cropped.at(x - left, y - top), tile.image.at(x, y), 1);
+    }
+    tile.image = std::move(cropped);
+  }
 }
 
 // Where a close-up is taken from.
@@ -99,16 +116,17 @@ struct Studio {
     Result<std::string> text = png_text(image);
     if (!text) return text.error();
     row.pictures.push_back(std::move(*text));
-    if (!sheet_labels.empty()) tiles.push_back({on_white(image), sheet_labels[tiles.size()]});
+    if (!sheet_labels.empty()) tiles.push_back({image, sheet_labels[tiles.size()]});
     if (!done(++taken, all)) return Error{ErrorCode::kCancelled, "", "stopped"};
     return {};
   }
 
   Result<PictureRow> finished(PictureRow row) {
     if (tiles.empty()) return row;
+    crop(tiles);
     Result<std::vector<std::byte>> sheet = encode_png(
         contact_sheet(tiles, {.columns = static_cast<int>(tiles.size() <= 6 ? tiles.size() : (tiles.size() + 1) / 2),
-                              .gap = 8,
+                              .gap = 12,
                               .text_height = 0.034 * options.width}));
     tiles.clear();
     if (!sheet) return sheet.error();
