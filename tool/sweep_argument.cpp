@@ -40,11 +40,11 @@ const Parameter& find_parameter(const std::string& name) {
                                fmt::join(names, ", ")));
 }
 
-double parse_value(const std::string& text, const CLI::Option& option) {
+double parse_value(const std::string& text, std::string_view parameter) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || end != text.data() + text.size())
-    throw UsageError(fmt::format("--sweep {}: \"{}\" is no number", option.get_name(), text));
+    throw UsageError(fmt::format("--sweep {}: \"{}\" is no number", parameter, text));
   return value;
 }
 
@@ -61,7 +61,7 @@ WantedSweep parse_sweep(const std::string& text, CLI::App& app) {
   for (std::size_t begin = equals + 1; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
     std::string word = text.substr(begin, end - begin);
-    sweep.values.push_back(parse_value(word, option));
+    sweep.values.push_back(parse_value(word, parameter.name));
     // Without a name: the only rule that the option has.
     const std::string complaint = (*option.get_validator())(word);
     if (!complaint.empty()) throw UsageError(fmt::format("--sweep {}: {}", parameter.name, complaint));

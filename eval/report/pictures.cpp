@@ -8,6 +8,7 @@
 #include "eval/png.h"
 #include "eval/report/words.h"
 #include "eval/sheet.h"
+#include "eval/text.h"
 #include "limber/base/portable_math.h"
 
 namespace limber::eval {
@@ -72,6 +73,29 @@ std::vector<Triangle> behind(const Surface& surface, const Vec3d& point, const V
   return kept;
 }
 
+// Without the empty margins that all of them have, on white.
+void crop(std::vector<SheetTile>& tiles) {
+  const Image& first = tiles.front().image;
+  int left = first.width, right = 0, top = first.height, bottom = 0;
+  for (const SheetTile& tile : tiles) {
+    for (int y = 0; y < first.height; ++y) {
+      for (int x = 0; x < first.width; ++x) {
+        if (tile.image.at(x, y).a == 0) continue;
+        left = std::min(left, x), right = std::max(right, x + 1);
+        top = std::min(top, y), bottom = std::max(bottom, y + 1);
+      }
+    }
+  }
+  if (right <= left) left = 0, right = first.width, top = 0, bottom = first.height;
+  for (SheetTile& tile : tiles) {
+    Image cropped(right - left, bottom - top, kWhite);
+    for (int y = top; y < bottom; ++y) {
+      for (int x = left; x < right; ++x) blend(cropped.at(x - left, y - top), tile.image.at(x, y), 1);
+    }
+    tile.image = std::move(cropped);
+  }
+}
+
 // Where a close-up is taken from.
 struct Stand {
   Vec3d target{};
@@ -88,20 +112,21 @@ struct Studio {
   const std::function<bool(std::size_t, std::size_t)>& done;
   std::vector<SheetTile> tiles{};  // of the row that is being made
 
-  Result<void> add(PictureRow& row, Image image) {
+  Result<void> add(PictureRow& row, const Image& image) {
     Result<std::string> text = png_text(image);
     if (!text) return text.error();
     row.pictures.push_back(std::move(*text));
-    if (!sheet_labels.empty()) tiles.push_back({std::move(image), sheet_labels[tiles.size()]});
+    if (!sheet_labels.empty()) tiles.push_back({image, sheet_labels[tiles.size()]});
     if (!done(++taken, all)) return Error{ErrorCode::kCancelled, "", "stopped"};
     return {};
   }
 
   Result<PictureRow> finished(PictureRow row) {
     if (tiles.empty()) return row;
+    crop(tiles);
     Result<std::vector<std::byte>> sheet = encode_png(
         contact_sheet(tiles, {.columns = static_cast<int>(tiles.size() <= 6 ? tiles.size() : (tiles.size() + 1) / 2),
-                              .gap = 8,
+                              .gap = 12,
                               .text_height = 0.034 * options.width}));
     tiles.clear();
     if (!sheet) return sheet.error();
