@@ -360,13 +360,7 @@ Result<Exit> compare_verb(Arguments arguments, Console& console) {
   console.print("{}: {} frame{} by {} method{}, {}\n{}", folder->path(0).string(), work->frame_count,
                 work->frame_count == 1 ? "" : "s", method_count, method_count == 1 ? "" : "s", report.run.asked,
                 comparison_table(report.comparison));
-  if (console.conventions.json) {
-    Json members = {{"output", arguments.output.path}};
-    Json all = report_json(report);
-    all.erase("schema");
-    members.update(all);
-    console.report("limber.compare/1", members);
-  }
+  if (console.conventions.json) console.report_with({{"output", arguments.output.path}}, report_json(report));
   return Exit::kDone;
 }
 

@@ -51,6 +51,14 @@ void Console::report(std::string_view schema, const Json& members) {
   write(out_, document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
+void Console::report_with(const Json& members, Json document) {
+  const std::string schema = document.at("schema");
+  document.erase("schema");
+  Json all = members;
+  all.update(document);
+  report(schema, all);
+}
+
 Exit Console::fail(const Error& error, Exit exit, std::string_view name) {
   say(error.line());
   report("limber.error/1",

@@ -39,6 +39,9 @@ class Console {
   // version, "limber.info/1".
   void report(std::string_view schema, const Json& members);
 
+  // The same of a document that has its schema in it; `members` stand before its own.
+  void report_with(const Json& members, Json document);
+
   // A message; nothing with -q. A newline is added.
   template <class... Arguments>
   void note(fmt::format_string<Arguments...> format, Arguments&&... arguments) {

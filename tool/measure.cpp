@@ -76,12 +76,9 @@ Result<Exit> run_measure(const Arguments& arguments, Console& console) {
   if (!measure) return measure.error();
   console.print("{}{}", report_table(*measure), sampling_line(*measure));
   if (console.conventions.json) {
-    Json members = {{"original", arguments.original.specification},
-                    {"approximation", arguments.approximation.specification}};
-    Json report = report_json(*measure);
-    report.erase("schema");
-    members.update(report);
-    console.report("limber.measure/1", members);
+    console.report_with(
+        {{"original", arguments.original.specification}, {"approximation", arguments.approximation.specification}},
+        report_json(*measure));
   }
   return Exit::kDone;
 }

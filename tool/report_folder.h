@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "limber/base/result.h"
+#include "limber/clip/new_folders.h"
 #include "limber/clip/output_file.h"
 
 namespace limber::tool {
@@ -18,10 +19,6 @@ class ReportFolder {
   // Errors: kExists where `path` is no folder, or one of the files is there and `replace` is false; those of
   // OutputFile.
   static Result<ReportFolder> create(const std::filesystem::path& path, std::vector<std::string> names, bool replace);
-
-  ReportFolder(ReportFolder&&) = default;
-  ReportFolder& operator=(ReportFolder&&) = delete;
-  ~ReportFolder();
 
   // The whole of the file with this place among the names.
   Result<void> write(std::size_t file, std::string_view text);
@@ -39,8 +36,8 @@ class ReportFolder {
 
   bool replace_ = false;
   std::filesystem::path folder_;
+  NewFolders new_folders_;
   std::vector<OutputFile> files_;
-  std::vector<std::filesystem::path> made_folders_;  // outermost first
 };
 
 }  // namespace limber::tool

@@ -174,13 +174,10 @@ void report_comparison(const Arguments& arguments, const Work& work, const eval:
                 comparison.contenders().front().frames.size() == 1 ? "" : "s", asked(work.options));
   console.print("{}", comparison_table(comparison));
   if (!console.conventions.json) return;
-  Json members = {{"input", arguments.clip.specification},
-                  {"output", arguments.output.path.empty() ? Json(nullptr) : Json(arguments.output.path)},
-                  {"asked", asked_json(work.options)}};
-  Json report = comparison_json(comparison);
-  report.erase("schema");
-  members.update(report);
-  console.report("limber.simplify/1", members);
+  console.report_with({{"input", arguments.clip.specification},
+                       {"output", arguments.output.path.empty() ? Json(nullptr) : Json(arguments.output.path)},
+                       {"asked", asked_json(work.options)}},
+                      comparison_json(comparison));
 }
 
 Result<Exit> simplify_verb(const Arguments& arguments, Console& console) {

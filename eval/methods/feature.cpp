@@ -17,6 +17,7 @@
 #include "eval/methods/feature_quadrics.h"
 #include "eval/methods/feature_suffix.h"
 #include "eval/methods/feature_unified.h"
+#include "eval/methods/merged_mesh.h"
 #include "eval/methods/thread_time.h"
 
 namespace limber::eval {
@@ -73,7 +74,8 @@ class Feature final : public Method {
     out.adapt_seconds = adapting.seconds();
 
     const ThreadTimer extracting;
-    list_triangles(contraction, normalize, out);
+    list_merged(unified_.mesh, roots_, contraction, normalize, drawn_, out);
+    for (Index& node : out.nodes) node = unified_.vertices[names_[node]];
     out.extract_seconds = extracting.seconds();
 
     out.clusters = unified_.clusters;
@@ -103,36 +105,13 @@ class Feature final : public Method {
 
   void take_clusters(std::span<const FeatureContraction::Merge> merges) {
     const Index node_count = unified_.mesh.vertex_count;
-    roots_.resize(node_count);
-    for (Index node = 0; node < node_count; ++node) roots_[node] = node;
-    for (std::size_t i = merges.size(); i-- > 0;) roots_[merges[i].goes] = roots_[merges[i].stays];
+    find_roots(node_count, merges, roots_);
     // A cluster is called after the largest of its parts, so that it keeps the name when small ones come and go.
     names_ = roots_;
     for (Index node = 0; node < node_count; ++node) {
       Index& name = names_[roots_[node]];
       const Index size = unified_.member_count[node], largest = unified_.member_count[name];
       if (size > largest || (size == largest && node < name)) name = node;
-    }
-  }
-
-  void list_triangles(const FeatureContraction& contraction, const Normalization& normalize, Approximation& out) {
-    out.triangles.clear();
-    out.positions.clear();
-    out.nodes.clear();
-    drawn_.assign(unified_.mesh.vertex_count, kNone);
-    for (const Triangle& t : unified_.mesh.triangles) {
-      Triangle image{roots_[t[0]], roots_[t[1]], roots_[t[2]]};
-      if (is_degenerate(image)) continue;
-      for (Index& corner : image) {
-        Index& place = drawn_[corner];
-        if (place == kNone) {
-          place = static_cast<Index>(out.positions.size());
-          out.positions.push_back(normalize.from_unit(static_cast<Vec3d>(contraction.position(corner, 0))));
-          out.nodes.push_back(unified_.vertices[names_[corner]]);
-        }
-        corner = place;
-      }
-      out.triangles.push_back(image);
     }
   }
 

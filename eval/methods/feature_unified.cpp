@@ -13,6 +13,7 @@
 
 #include "eval/methods/feature_contraction.h"
 #include "eval/methods/feature_weight.h"
+#include "eval/methods/merged_mesh.h"
 #include "limber/base/portable_math.h"
 
 namespace limber::eval {
@@ -60,11 +61,7 @@ FrameData frame_data(Index vertex_count, std::span<const std::span<const Vec3f>>
 // The mesh after some contractions, in their order.
 UnifiedMesh contracted_mesh(const Mesh& mesh, std::span<const FeatureContraction::Merge> merges) {
   UnifiedMesh out;
-  out.clusters.resize(mesh.vertex_count);
-  for (Index v = 0; v < mesh.vertex_count; ++v) out.clusters[v] = v;
-  // What a vertex was contracted into is known once that has its own.
-  for (std::size_t i = merges.size(); i-- > 0;) out.clusters[merges[i].goes] = out.clusters[merges[i].stays];
-
+  find_roots(mesh.vertex_count, merges, out.clusters);
   out.nodes.assign(mesh.vertex_count, kNone);
   for (const Triangle& t : mesh.triangles) {
     const Triangle image{out.clusters[t[0]], out.clusters[t[1]], out.clusters[t[2]]};

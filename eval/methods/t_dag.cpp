@@ -23,6 +23,7 @@
 
 #include "eval/methods/factories.h"
 #include "eval/methods/feature_contraction.h"
+#include "eval/methods/merged_mesh.h"
 #include "eval/methods/t_dag_code.h"
 #include "eval/methods/t_dag_forest.h"
 #include "eval/methods/thread_time.h"
@@ -77,7 +78,8 @@ class TDag final : public Method {
     out.adapt_seconds = adapting.seconds();
 
     const ThreadTimer extracting;
-    list_triangles(contraction, normalize, out);
+    list_merged(*mesh_, roots_, contraction, normalize, drawn_, out);
+    for (Index& node : out.nodes) node = name_of_[node];
     out.extract_seconds = extracting.seconds();
 
     out.clusters = names_;
@@ -99,9 +101,7 @@ class TDag final : public Method {
   // vertex of it: so it keeps its name while it lives, and when small parts come and go.
   void take_roots(std::span<const FeatureContraction::Merge> merges) {
     const Index vertex_count = mesh_->vertex_count;
-    roots_.resize(vertex_count);
-    std::iota(roots_.begin(), roots_.end(), Index{0});
-    for (std::size_t i = merges.size(); i-- > 0;) roots_[merges[i].goes] = roots_[merges[i].stays];
+    find_roots(vertex_count, merges, roots_);
     votes_.assign(vertex_count, 0);
     for (Index v = 0; v < vertex_count; ++v)
       if (roots_[v] == roots_[names_[v]]) ++votes_[names_[v]];
@@ -111,27 +111,6 @@ class TDag final : public Method {
       if (name == kNone || votes_[v] > votes_[name]) name = v;
     }
     for (Index v = 0; v < vertex_count; ++v) names_[v] = name_of_[roots_[v]];
-  }
-
-  void list_triangles(const FeatureContraction& contraction, const Normalization& normalize, Approximation& out) {
-    out.triangles.clear();
-    out.positions.clear();
-    out.nodes.clear();
-    drawn_.assign(mesh_->vertex_count, kNone);
-    for (const Triangle& t : mesh_->triangles) {
-      Triangle image{roots_[t[0]], roots_[t[1]], roots_[t[2]]};
-      if (is_degenerate(image)) continue;
-      for (Index& corner : image) {
-        Index& place = drawn_[corner];
-        if (place == kNone) {
-          place = static_cast<Index>(out.positions.size());
-          out.positions.push_back(normalize.from_unit(static_cast<Vec3d>(contraction.position(corner, 0))));
-          out.nodes.push_back(name_of_[corner]);
-        }
-        corner = place;
-      }
-      out.triangles.push_back(image);
-    }
   }
 
   MethodOptions options_;

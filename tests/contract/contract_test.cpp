@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "limber/contract/contract.h"
 
-#include <chrono>
 #include <gtest/gtest.h>
 #include <set>
 
@@ -98,20 +97,6 @@ TEST(Contractor, GoesFurtherWhereTheTopologyIsFree) {
   EXPECT_EQ(free.contract_to(1), 2u) << "components are never joined";
 }
 
-TEST(Contractor, GivesTheSameWhetherItStopsOnTheWayOrNot) {
-  const Shape ball = test::jittered(test::sphere(3), 0.05f, 4);
-  const std::span<const Vec3f> frames[] = {ball.positions};
-  Contractor at_once(ball.mesh, frames, {}), by_steps(ball.mesh, frames, {});
-  EXPECT_EQ(at_once.contract_to(40), 40u);
-  for (const Index target : {200u, 199u, 199u, 250u, 100u, 41u, 40u}) by_steps.contract_to(target);
-  for (Index v = 0; v < ball.mesh.vertex_count; ++v) {
-    const Index r = at_once.representative(v);
-    ASSERT_EQ(r, by_steps.representative(v));
-    EXPECT_EQ(r, at_once.representative(r));
-    EXPECT_EQ(at_once.position(r, 0), by_steps.position(r, 0));
-  }
-}
-
 TEST(Contractor, TheLargestCostOverFramesIsNotTheirSum) {
   // With a point for a quadric an edge costs half its squared length. Edge 0-1 is 1 long in both frames; edge 1-2 is
   // short in the first and a little longer than that in the second.
@@ -165,24 +150,6 @@ TEST(Contractor, QuadricsMayBeChangedBeforeItBegins) {
   EXPECT_LT(below + 8, alike);
 }
 
-TEST(Contractor, GivesTheSameTwice) {
-  const Shape shape = test::jittered(test::sphere(3), 0.1f, 5);
-  const Simplified a = simplified(shape, 50), b = simplified(shape, 50);
-  EXPECT_EQ(a.mesh, b.mesh);
-  EXPECT_EQ(a.positions, b.positions);
-  EXPECT_EQ(a.vertices, b.vertices);
-}
-
-TEST(Contractor, GivesTheSameAtAnyScaleThatIsAPowerOfTwo) {
-  const Shape shape = test::jittered(test::waved(test::sheet(20, 20)), 0.2f, 6);
-  const Simplified expected = simplified(shape, 50);
-  for (const float scale : {0x1p-30f, 0x1p-10f, 2.0f, 0x1p13f, 0x1p30f}) {
-    const Simplified result = simplified(moved(shape, [&](Vec3f p) { return p * scale; }), 50);
-    EXPECT_EQ(result.mesh, expected.mesh);
-    for (Index v = 0; v < 50; ++v) EXPECT_EQ(result.positions[v], expected.positions[v] * scale);
-  }
-}
-
 TEST(Contractor, GivesTheSameClustersWhereverTheMeshStands) {
   const Shape shape = test::quantized(test::jittered(test::waved(test::sheet(20, 20)), 0.2f, 7), 1024);
   const Simplified expected = simplified(shape, 50);
@@ -227,43 +194,6 @@ TEST(Contractor, FoldsOverWhereNothingElseIsLeft) {
   EXPECT_EQ(result.mesh.vertex_count, 4u);
 }
 
-TEST(Contractor, LeavesIsolatedVerticesAloneAndUncounted) {
-  Shape shape = test::sphere(2);
-  shape.mesh.vertex_count += 3;
-  for (const float x : {5.0f, 6.0f, 7.0f}) shape.positions.push_back({x, 0, 0});
-  const std::span<const Vec3f> frames[] = {shape.positions};
-  Contractor contractor(shape.mesh, frames, {});
-  EXPECT_EQ(contractor.vertex_count(), 66u);
-  EXPECT_EQ(contractor.contract_to(10), 10u);
-  for (Index v = 66; v < 69; ++v) {
-    EXPECT_EQ(contractor.representative(v), v);
-    EXPECT_NEAR(length(contractor.position(v, 0) - shape.positions[v]), 0, 1e-5);
-  }
-  EXPECT_EQ(simplified_mesh(contractor, shape.mesh, 0).mesh.vertex_count, 10u);
-}
-
-TEST(Contractor, TakesMeshesWithNothingToContract) {
-  for (const Mesh& mesh : {Mesh{}, Mesh{3, {}}, Mesh{3, {{0, 0, 1}, {2, 2, 2}}}}) {
-    const std::vector<Vec3f> positions(mesh.vertex_count, Vec3f{1, 2, 3});
-    const Simplified result = simplify(mesh, positions, 1, kFreely);
-    EXPECT_TRUE(result.mesh.triangles.empty());
-  }
-}
-
-TEST(Contractor, TakesASurfaceWithoutExtent) {
-  Shape shape = test::sphere(2);
-  for (const bool line : {false, true}) {
-    for (Index v = 0; v < shape.mesh.vertex_count; ++v)
-      shape.positions[v] = line ? Vec3f{0.3f, 0.7f, -0.2f} * static_cast<float>(v) : Vec3f{4, 5, 6};
-    const Simplified result = simplified(shape, 8);
-    EXPECT_EQ(result.mesh.vertex_count, 8u);
-    for (const Vec3f& p : result.positions) {
-      EXPECT_TRUE(is_finite(p));
-      EXPECT_LT(length(p), line ? 60.0f : 9.0f);
-    }
-  }
-}
-
 TEST(Contractor, UnderEqualFramesChoosesAsUnderOne) {
   const Shape shape = test::jittered(test::sphere(3), 0.1f, 11);
   const std::span<const Vec3f> once[] = {shape.positions};
@@ -299,19 +229,6 @@ TEST(Contractor, TakesOneFrameOfAnotherSizeThanTheFirst) {
     const Simplified result = simplified_mesh(contractor, shape.mesh, 1);
     for (const Vec3f& p : result.positions) EXPECT_NEAR(length(p) / scale, 1, 0.4);
   }
-}
-
-TEST(Contractor, TakesAFanOfManyTrianglesInReasonableTime) {
-  constexpr Index kRim = 10000;
-  Shape fan{{kRim + 1, {}}, {{0, 0, 0.1f}}};
-  for (Index i = 0; i < kRim; ++i) {
-    const float turn = 6.2831853f * static_cast<float>(i) / kRim;
-    fan.positions.push_back({std::cos(turn), std::sin(turn), 0});
-    fan.mesh.triangles.push_back({0, 1 + i, 1 + (i + 1) % kRim});
-  }
-  const auto start = std::chrono::steady_clock::now();
-  EXPECT_EQ(simplified(fan, 10).mesh.vertex_count, 10u);
-  EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 20);
 }
 
 }  // namespace

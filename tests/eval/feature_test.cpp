@@ -3,34 +3,19 @@
 #include <gtest/gtest.h>
 #include <set>
 
-#include "eval/changed.h"
 #include "eval/methods/feature_quadrics.h"
 #include "eval/methods/feature_suffix.h"
 #include "eval/methods/feature_unified.h"
 #include "eval/methods/method.h"
-#include "limber/clip/clip.h"
+#include "tests/eval/gallop.h"
 
 namespace limber::eval {
 namespace {
 
-class Feature : public testing::Test {
+class Feature : public Gallop {
  protected:
-  // Made once: a sample takes longer than what is done with it.
-  static void SetUpTestSuite() {
-    const auto reader = open_clip("sample:gallop?vertices=1500&frames=8", {});
-    mesh_ = (*reader)->mesh();
-    std::vector<Vec3f> positions(mesh_.vertex_count);
-    frames_.clear();
-    while (*(*reader)->read(positions)) frames_.push_back(positions);
-    seen_.assign(frames_.begin(), frames_.end());
-  }
-
   static std::vector<Approximation> run(const FeatureOptions& feature, Index vertices = 200) {
-    const auto method = find_method("feature")->create({.vertices = vertices, .feature = feature});
-    method->begin(mesh_, seen_);
-    std::vector<Approximation> all(frames_.size());
-    for (std::size_t t = 0; t < all.size(); ++t) method->frame(frames_[t], all[t]);
-    return all;
+    return Gallop::run("feature", {.vertices = vertices, .feature = feature}, seen_, frames_);
   }
 
   static UnifiedMesh unified(const FeatureOptions& feature) {
@@ -38,21 +23,6 @@ class Feature : public testing::Test {
     FeatureQuadrics quadrics(mesh_, seen_.front(), seen_.back(), options);
     return contract_unified(mesh_, seen_, quadrics, options);
   }
-
-  static double mean_changed(const std::vector<Approximation>& all) {
-    ChangedTriangles changed;
-    double sum = 0;
-    std::vector<Triangle> ids;
-    for (const Approximation& made : all) {
-      name_corners(made, ids);
-      sum += changed.add(ids).value_or(0);
-    }
-    return sum / static_cast<double>(all.size() - 1);
-  }
-
-  inline static Mesh mesh_;
-  inline static std::vector<std::vector<Vec3f>> frames_;
-  inline static std::vector<std::span<const Vec3f>> seen_;
 };
 
 TEST_F(Feature, EveryFrameGoesOnFromTheUnifiedMesh) {

@@ -3,48 +3,23 @@
 #include <gtest/gtest.h>
 #include <set>
 
-#include "eval/changed.h"
 #include "eval/methods/method.h"
 #include "eval/methods/quadric_error.h"
 #include "eval/methods/t_dag_code.h"
 #include "eval/methods/t_dag_forest.h"
-#include "limber/clip/clip.h"
+#include "tests/eval/gallop.h"
 
 namespace limber::eval {
 namespace {
 
 using Merges = std::vector<FeatureContraction::Merge>;
 
-class TDag : public testing::Test {
+class TDag : public Gallop {
  protected:
-  // Made once: a sample takes longer than what is done with it.
-  static void SetUpTestSuite() {
-    const auto reader = open_clip("sample:gallop?vertices=1500&frames=8", {});
-    mesh_ = (*reader)->mesh();
-    std::vector<Vec3f> positions(mesh_.vertex_count);
-    frames_.clear();
-    while (*(*reader)->read(positions)) frames_.push_back(positions);
-  }
-
   static std::vector<Approximation> run(const MethodOptions& options) { return run(options, frames_); }
   static std::vector<Approximation> run(const MethodOptions& options, const std::vector<std::vector<Vec3f>>& frames) {
-    const auto method = find_method("t-dag")->create(options);
     const std::span<const Vec3f> seen[] = {frames[0]};
-    method->begin(mesh_, seen);
-    std::vector<Approximation> all(frames.size());
-    for (std::size_t t = 0; t < all.size(); ++t) method->frame(frames[t], all[t]);
-    return all;
-  }
-
-  static double mean_changed(const std::vector<Approximation>& all) {
-    ChangedTriangles changed;
-    double sum = 0;
-    std::vector<Triangle> ids;
-    for (const Approximation& made : all) {
-      name_corners(made, ids);
-      sum += changed.add(ids).value_or(0);
-    }
-    return sum / static_cast<double>(all.size() - 1);
+    return Gallop::run("t-dag", options, seen, frames);
   }
 
   static double quadric_error(const std::vector<Approximation>& all) {
@@ -72,9 +47,6 @@ class TDag : public testing::Test {
     contraction.contract_to(vertices, 0);
     return Forest(mesh_.vertex_count, contraction.merges());
   }
-
-  inline static Mesh mesh_;
-  inline static std::vector<std::vector<Vec3f>> frames_;
 };
 
 // How many nodes of one hierarchy the other has too.

@@ -17,6 +17,7 @@ struct Levels {
   Shape shape;
   Hierarchy hierarchy;
   std::vector<Quadric> quadrics;
+  std::vector<double> areas;  // of the vertices
   std::vector<Vec3d> minima;
 
   Levels(Shape given, double branching, Topology topology = Topology::kPreserve)
@@ -25,9 +26,10 @@ struct Levels {
     minima.resize(hierarchy.node_count());
     const Normalization frame = normalization(shape.positions);
     for (Index v = 0; v < hierarchy.vertex_count(); ++v) minima[v] = frame.to_unit(shape.positions[v]);
-    VertexQuadrics(shape.mesh, {})
-        .compute(std::span(minima).first(hierarchy.vertex_count()),
-                 std::span(quadrics).first(hierarchy.vertex_count()));
+    VertexQuadrics of_vertices(shape.mesh, {});
+    of_vertices.compute(std::span(minima).first(hierarchy.vertex_count()),
+                        std::span(quadrics).first(hierarchy.vertex_count()));
+    areas.assign(of_vertices.areas().begin(), of_vertices.areas().end());
     for (Index node = 0; node < hierarchy.node_count(); ++node)
       if (hierarchy.parent[node] != kNone) quadrics[hierarchy.parent[node]] += quadrics[node];
     for (Index node = hierarchy.vertex_count(); node < hierarchy.node_count(); ++node)
@@ -36,7 +38,7 @@ struct Levels {
 
   std::vector<Vec3d> fitted(const FitOptions& options) const {
     std::vector<Vec3d> positions = minima;
-    LevelFit(shape.mesh, hierarchy).fit(quadrics, options, positions);
+    LevelFit(shape.mesh, hierarchy).fit(areas, quadrics, options, positions);
     return positions;
   }
 
@@ -123,9 +125,9 @@ TEST(LevelFit, GivesTheSameAgainAfterAnotherFrame) {
   LevelFit fit(levels.shape.mesh, levels.hierarchy);
   std::vector<Vec3d> first = levels.minima, between = levels.minima, again = levels.minima;
   for (Vec3d& p : between) p = p * 1.5 + Vec3d{0, 0.1 * p.x, 0};
-  fit.fit(levels.quadrics, {}, first);
-  fit.fit(levels.quadrics, {}, between);
-  fit.fit(levels.quadrics, {}, again);
+  fit.fit(levels.areas, levels.quadrics, {}, first);
+  fit.fit(levels.areas, levels.quadrics, {}, between);
+  fit.fit(levels.areas, levels.quadrics, {}, again);
   EXPECT_EQ(first, again);
 }
 

@@ -165,4 +165,15 @@ Result<void> OutputFile::commit() {
   return {};
 }
 
+Result<void> commit_all(std::span<OutputFile> files, bool replace) {
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    Result<void> done = files[i].commit();
+    if (done) continue;
+    std::error_code ignored;
+    for (std::size_t j = 0; j < i && !replace; ++j) std::filesystem::remove(files[j].path(), ignored);
+    return done;
+  }
+  return {};
+}
+
 }  // namespace limber

@@ -71,4 +71,8 @@ class OutputFile {
   bool replace_ = false;
 };
 
+// Commits all of them. After an error none of the new files is left where `replace` is false, what they were created
+// with.
+Result<void> commit_all(std::span<OutputFile> files, bool replace);
+
 }  // namespace limber

@@ -9,16 +9,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Makes `folder` and those above it that are missing, and appends what it made.
-Result<void> make_folders(const fs::path& folder, std::vector<fs::path>& made) {
-  std::error_code error;
-  if (folder.empty() || fs::is_directory(folder, error)) return {};
-  if (Result<void> done = make_folders(folder.parent_path(), made); !done) return done;
-  if (fs::create_directory(folder, error)) made.push_back(folder);
-  if (error) return Error{ErrorCode::kIo, folder.string(), fmt::format("cannot be made: {}", error.message())};
-  return {};
-}
-
 }  // namespace
 
 Result<OutputSequence> OutputSequence::create(const fs::path& pattern, std::uint32_t first_number, bool replace) {
@@ -44,7 +34,7 @@ Result<OutputSequence> OutputSequence::create(const fs::path& pattern, std::uint
       return Error{ErrorCode::kExists, (sequence.folder_ / name).string(), "is already there; use -f to replace it"};
     }
   }
-  if (Result<void> done = make_folders(sequence.folder_, sequence.made_folders_); !done) return done.error();
+  if (Result<void> done = sequence.new_folders_.make(sequence.folder_); !done) return done.error();
   return sequence;
 }
 
@@ -53,13 +43,6 @@ OutputSequence OutputSequence::standard_output() {
   sequence.single_ = sequence.is_standard_output_ = true;
   sequence.name_.prefix = "standard output";
   return sequence;
-}
-
-OutputSequence::~OutputSequence() {
-  files_.clear();
-  std::error_code ignored;
-  // Only empty folders can be removed this way.
-  for (auto folder = made_folders_.rbegin(); folder != made_folders_.rend(); ++folder) fs::remove(*folder, ignored);
 }
 
 Result<OutputFile*> OutputSequence::next() {
@@ -82,14 +65,7 @@ Result<void> OutputSequence::finish() {
     return Error{ErrorCode::kBadInput, (folder_ / (single_ ? name_.prefix : name_.name(next_number_))).string(),
                  "there are no frames to write"};
   }
-  for (std::size_t i = 0; i < files_.size(); ++i) {
-    Result<void> done = files_[i].commit();
-    if (done) continue;
-    std::error_code ignored;
-    for (std::size_t j = 0; j < i && !replace_; ++j) fs::remove(files_[j].path(), ignored);
-    return done;
-  }
-  return {};
+  return commit_all(files_, replace_);
 }
 
 }  // namespace limber

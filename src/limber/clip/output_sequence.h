@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "limber/base/result.h"
+#include "limber/clip/new_folders.h"
 #include "limber/clip/numbered_name.h"
 #include "limber/clip/output_file.h"
 
@@ -25,10 +26,6 @@ class OutputSequence {
   // A single file: standard output.
   static OutputSequence standard_output();
 
-  OutputSequence(OutputSequence&&) = default;
-  OutputSequence& operator=(OutputSequence&&) = delete;
-  ~OutputSequence();
-
   // Closes the file before and begins the next; the pointer is valid until the next call. kBadInput for a second
   // file where the pattern has no number.
   Result<OutputFile*> next();
@@ -45,8 +42,8 @@ class OutputSequence {
   bool is_standard_output_ = false;
   std::uint64_t next_number_ = 0;
   bool replace_ = false;
+  NewFolders new_folders_;
   std::vector<OutputFile> files_;
-  std::vector<std::filesystem::path> made_folders_;  // outermost first; removed again where nothing came to stay
 };
 
 }  // namespace limber

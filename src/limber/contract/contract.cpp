@@ -62,9 +62,7 @@ Contractor::Contractor(const Mesh& mesh, std::span<const std::span<const Vec3f>>
       for (Index i = 0; i < order_.size(); ++i) quadrics_[i * frame_count_ + f] = of_one_frame[i];
     }
   }
-  queue_ = CostQueue(surface_.edge_count());
-  state_.resize(surface_.edge_count());
-  for (Index e = 0; e < surface_.edge_count() && goes_on(); ++e) enqueue(e);
+  start_queue([this](Index edge) { return cost(edge); });
 }
 
 float Contractor::cost(Index edge) const {
@@ -76,11 +74,6 @@ float Contractor::cost(Index edge) const {
     total = is_sum ? total + value : std::max(total, value);
   }
   return static_cast<float>(total);
-}
-
-void Contractor::enqueue(Index edge) {
-  state_[edge] = EdgeState::kPriced;
-  queue_.push(edge, cost(edge));
 }
 
 // Whether moving both ends to minima_ turns a triangle that survives too far in any frame.
@@ -120,7 +113,7 @@ void Contractor::apply(Index edge) {
   for (const Index gone : surface_.contract(edge)) state_[gone] = EdgeState::kGone;
   surface_.for_each_edge(u, [&](Index e, Index) {
     if (state_[e] == EdgeState::kPutOff)
-      enqueue(e);
+      enqueue(e, cost(e));
     else
       state_[e] = EdgeState::kStale;
   });
@@ -140,50 +133,24 @@ void Contractor::fetch_ahead() const {
 }
 
 Index Contractor::contract_to(Index target) {
-  bool progress = true;
-  const auto reprice = [this](Index edge, float old_cost) {
-    if (state_[edge] == EdgeState::kGone) return -1.0f;
-    if (state_[edge] == EdgeState::kPriced) return old_cost;
-    if (!goes_on()) return -1.0f;
-    state_[edge] = EdgeState::kPriced;
-    return cost(edge);
-  };
   const auto fetch_edge = [this](Index edge) {
     if (state_[edge] == EdgeState::kStale) surface_.fetch_edge(edge);
   };
   const auto fetch_ends = [this](Index edge) {
     if (state_[edge] == EdgeState::kStale) surface_.fetch_ends(edge, [this](Index v) { fetch_quadric(v); });
   };
-  while (surface_.vertex_count() > target && goes_on()) {
-    if (!queue_.advance(reprice, fetch_edge, fetch_ends)) {
-      if (!progress && !check_fold_over_) break;
-      check_fold_over_ = progress && check_fold_over_;
-      progress = false;
-      for (Index e = 0; e < surface_.edge_count(); ++e)
-        if (state_[e] == EdgeState::kPutOff) enqueue(e);
-      if (!queue_.advance(reprice, fetch_edge, fetch_ends)) break;
-    }
-    const Index edge = queue_.front();
-    queue_.pop();
-    fetch_ahead();
-    if (state_[edge] == EdgeState::kGone) continue;
-    if (state_[edge] == EdgeState::kStale) {
-      enqueue(edge);
-      continue;
-    }
+  const auto attempt = [this](Index edge) {
     const auto [u, v] = surface_.ends(edge);
     for (std::size_t f = 0; f < frame_count_; ++f)
       minima_[f] = minimum(quadrics_[u * frame_count_ + f] + quadrics_[v * frame_count_ + f]).point;
     if ((options_.topology == Topology::kPreserve && !surface_.keeps_topology(edge)) ||
-        (check_fold_over_ && folds_over(edge))) {
-      state_[edge] = EdgeState::kPutOff;
-      continue;
-    }
+        (check_fold_over_ && folds_over(edge)))
+      return false;
     apply(edge);
-    progress = true;
-  }
-  shorten_chains();
-  return surface_.vertex_count();
+    return true;
+  };
+  return contract_cheapest(
+      target, [this](Index edge) { return cost(edge); }, fetch_edge, fetch_ends, [this] { fetch_ahead(); }, attempt);
 }
 
 Vec3f Contractor::position(Index representative, std::size_t frame) const {

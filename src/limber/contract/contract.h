@@ -12,7 +12,6 @@
 #include "limber/base/mesh.h"
 #include "limber/base/vec.h"
 #include "limber/contract/contraction.h"
-#include "limber/contract/cost_queue.h"
 #include "limber/contract/fetch.h"
 #include "limber/contract/vertex_quadrics.h"
 
@@ -40,15 +39,7 @@ class Contractor final : public Contraction {
   Vec3f position(Index representative, std::size_t frame) const override;
 
  private:
-  enum class EdgeState : std::uint8_t {
-    kPriced,  // in the queue under its cost
-    kStale,   // in the queue under a cost from before an end took in another vertex
-    kPutOff,  // refused as its surroundings are now; not in the queue
-    kGone,    // no longer there, whether in the queue or not
-  };
-
   float cost(Index edge) const;
-  void enqueue(Index edge);
   void fetch_quadric(Index v) const {
     const Quadric& quadric = quadrics_[v * frame_count_];
     fetch(&quadric.xx);
@@ -64,10 +55,7 @@ class Contractor final : public Contraction {
   std::vector<Quadric> quadrics_;              // [vertex_count x frame_count]
   std::vector<Vec3f> positions_;               // [vertex_count x frame_count], normalized; single precision, so that
                                                // more of them are in the cache
-  std::vector<EdgeState> state_;               // [edge_count]
   std::vector<Vec3d> minima_;                  // [frame_count], scratch
-  CostQueue queue_{0};
-  bool check_fold_over_ = true;
 };
 
 // One frame's contraction with options.placement. `positions` need not live on; go_on as for Contractor.

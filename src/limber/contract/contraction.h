@@ -2,6 +2,7 @@
 // Edge contraction, whatever the costs and the placement: what is asked for, and what it has come to.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <utility>
@@ -9,6 +10,7 @@
 
 #include "limber/base/mesh.h"
 #include "limber/base/vec.h"
+#include "limber/contract/cost_queue.h"
 #include "limber/contract/edges.h"
 #include "limber/contract/spatial_order.h"
 #include "limber/contract/surface.h"
@@ -91,15 +93,78 @@ class Contraction {
   };
   Placed adopt(const Mesh& mesh, std::span<const Vec3f> positions);
 
-  // Lets every vertex lead to its representative at once.
-  void shorten_chains();
+  enum class EdgeState : std::uint8_t {
+    kPriced,  // in the queue under its cost
+    kStale,   // in the queue under a cost from before its surroundings changed
+    kPutOff,  // refused as its surroundings are now; not in the queue
+    kGone,    // no longer there, whether in the queue or not
+  };
+
+  // Begins the queue with all edges. price(edge): what its contraction costs now.
+  template <class Price>
+  void start_queue(const Price& price) {
+    queue_ = CostQueue(surface_.edge_count());
+    state_.resize(surface_.edge_count());
+    for (Index e = 0; e < surface_.edge_count() && goes_on(); ++e) enqueue(e, price(e));
+  }
+
+  void enqueue(Index edge, float cost) {
+    state_[edge] = EdgeState::kPriced;
+    queue_.push(edge, cost);
+  }
+
+  // contract_to(), the cheapest edge first. attempt(edge): contracts it, or gives false where it must be put off; what
+  // check_fold_over_ asks for is up to it. fetch_early, fetch_soon: as of CostQueue::advance(); fetch_ahead(): before
+  // an edge that has come to the front is looked at.
+  template <class Price, class FetchEarly, class FetchSoon, class FetchAhead, class Attempt>
+  Index contract_cheapest(Index target, const Price& price, const FetchEarly& fetch_early, const FetchSoon& fetch_soon,
+                          const FetchAhead& fetch_ahead, const Attempt& attempt) {
+    bool progress = true;
+    const auto reprice = [&](Index edge, float old_cost) {
+      if (state_[edge] == EdgeState::kGone) return -1.0f;
+      if (state_[edge] == EdgeState::kPriced) return old_cost;
+      if (!goes_on()) return -1.0f;
+      state_[edge] = EdgeState::kPriced;
+      return price(edge);
+    };
+    while (surface_.vertex_count() > target && goes_on()) {
+      if (!queue_.advance(reprice, fetch_early, fetch_soon)) {
+        if (!progress && !check_fold_over_) break;
+        check_fold_over_ = progress && check_fold_over_;
+        progress = false;
+        for (Index e = 0; e < surface_.edge_count(); ++e)
+          if (state_[e] == EdgeState::kPutOff) enqueue(e, price(e));
+        if (!queue_.advance(reprice, fetch_early, fetch_soon)) break;
+      }
+      const Index edge = queue_.front();
+      queue_.pop();
+      fetch_ahead();
+      if (state_[edge] == EdgeState::kGone) continue;
+      if (state_[edge] == EdgeState::kStale) {
+        enqueue(edge, price(edge));
+        continue;
+      }
+      if (attempt(edge))
+        progress = true;
+      else
+        state_[edge] = EdgeState::kPutOff;
+    }
+    shorten_chains();
+    return surface_.vertex_count();
+  }
 
   std::vector<Index> order_;   // [vertex_count]: the input's vertex at each place; all below is by place
   std::vector<Index> places_;  // [vertex_count]: the inverse
   Surface surface_{Mesh{}};
   std::vector<Index> merged_into_;  // [vertex_count], kNone for representatives
+  std::vector<EdgeState> state_;    // [edge_count]
+  CostQueue queue_{0};
+  bool check_fold_over_ = true;
 
  private:
+  // Lets every vertex lead to its representative at once.
+  void shorten_chains();
+
   GoOnFunction go_on_;
   Index steps_ = 0;  // since go_on_ was asked
   bool is_cancelled_ = false;

@@ -46,6 +46,9 @@ class VertexQuadrics {
   // positions: [vertex_count], normalized; quadrics: [vertex_count], overwritten.
   void compute(std::span<const Vec3d> positions, std::span<Quadric> quadrics);
 
+  // [vertex_count]: a third of the area of the triangles around each vertex, in the frame of the last compute().
+  std::span<const double> areas() const { return areas_; }
+
  private:
   struct BorderEdge {
     Index from, to, triangle;
@@ -54,7 +57,7 @@ class VertexQuadrics {
   const std::vector<Triangle>& triangles_;
   QuadricOptions options_;
   std::vector<BorderEdge> border_edges_;
-  std::vector<double> areas_;  // [vertex_count], scratch
+  std::vector<double> areas_;  // [vertex_count]
 };
 
 }  // namespace limber

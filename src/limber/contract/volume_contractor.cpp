@@ -50,9 +50,7 @@ VolumeContractor::VolumeContractor(const Mesh& mesh, std::span<const Vec3f> posi
   stars_.resize(order_.size());
   is_old_star_.resize(order_.size(), true);
   met_.resize(order_.size());
-  queue_ = CostQueue(surface_.edge_count());
-  state_.resize(surface_.edge_count());
-  for (Index e = 0; e < surface_.edge_count() && goes_on(); ++e) enqueue(e);
+  start_queue([this](Index edge) { return cost(edge); });
 }
 
 void VolumeContractor::update_facet(Index triangle) {
@@ -104,10 +102,7 @@ VolumePlacement VolumeContractor::placement(Index edge) {
   return place(first, second, shared, along);
 }
 
-void VolumeContractor::enqueue(Index edge) {
-  state_[edge] = EdgeState::kPriced;
-  queue_.push(edge, static_cast<float>(placement(edge).cost));
-}
+float VolumeContractor::cost(Index edge) { return static_cast<float>(placement(edge).cost); }
 
 // Whether moving both ends to `point` takes its area from a triangle that survives, or turns it by 90 degrees or more.
 bool VolumeContractor::folds_over(Index edge, const Vec3d& point) {
@@ -146,7 +141,7 @@ void VolumeContractor::apply(Index edge, const Vec3d& point) {
   };
   surface_.for_each_edge(u, touch);
   for (const Index w : ring_) surface_.for_each_edge(w, touch);
-  for (const Index e : again_) enqueue(e);
+  for (const Index e : again_) enqueue(e, cost(e));
 }
 
 void VolumeContractor::fetch_step(Index edge, int step) const {
@@ -182,14 +177,6 @@ void VolumeContractor::fetch_ahead() const {
 }
 
 Index VolumeContractor::contract_to(Index target) {
-  bool progress = true;
-  const auto reprice = [this](Index edge, float old_cost) {
-    if (state_[edge] == EdgeState::kGone) return -1.0f;
-    if (state_[edge] == EdgeState::kPriced) return old_cost;
-    if (!goes_on()) return -1.0f;
-    state_[edge] = EdgeState::kPriced;
-    return static_cast<float>(placement(edge).cost);
-  };
   // The queue names an edge 16 edges before its turn: its steps are made then, and when it names those that follow.
   std::array<Index, 16> named{};
   std::size_t name_count = 0;
@@ -200,36 +187,17 @@ Index VolumeContractor::contract_to(Index target) {
       if (state_[e] == EdgeState::kStale) fetch_step(e, step);
     }
   };
-  const auto advance = [&] { return queue_.advance(reprice, fetch_early, [](Index) {}); };
-  while (surface_.vertex_count() > target && goes_on()) {
-    if (!advance()) {
-      if (!progress && !check_fold_over_) break;
-      check_fold_over_ = progress && check_fold_over_;
-      progress = false;
-      for (Index e = 0; e < surface_.edge_count(); ++e)
-        if (state_[e] == EdgeState::kPutOff) enqueue(e);
-      if (!advance()) break;
-    }
-    const Index edge = queue_.front();
-    queue_.pop();
-    fetch_ahead();
-    if (state_[edge] == EdgeState::kGone) continue;
-    if (state_[edge] == EdgeState::kStale) {
-      enqueue(edge);
-      continue;
-    }
+  const auto attempt = [this](Index edge) {
     const auto [u, v] = surface_.ends(edge);
     const Vec3d point = (positions_[u] + positions_[v]) * 0.5 + placement(edge).point;
     if ((topology_ == Topology::kPreserve && !surface_.keeps_topology(edge)) ||
-        (check_fold_over_ && folds_over(edge, point))) {
-      state_[edge] = EdgeState::kPutOff;
-      continue;
-    }
+        (check_fold_over_ && folds_over(edge, point)))
+      return false;
     apply(edge, point);
-    progress = true;
-  }
-  shorten_chains();
-  return surface_.vertex_count();
+    return true;
+  };
+  return contract_cheapest(
+      target, [this](Index edge) { return cost(edge); }, fetch_early, [](Index) {}, [this] { fetch_ahead(); }, attempt);
 }
 
 Vec3f VolumeContractor::position(Index representative, [[maybe_unused]] std::size_t frame) const {

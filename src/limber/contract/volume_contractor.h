@@ -11,7 +11,6 @@
 #include "limber/base/mesh.h"
 #include "limber/base/vec.h"
 #include "limber/contract/contraction.h"
-#include "limber/contract/cost_queue.h"
 #include "limber/contract/symmetric_matrix.h"
 #include "limber/contract/volume_placement.h"
 
@@ -31,12 +30,6 @@ class VolumeContractor final : public Contraction {
   Vec3f position(Index representative, std::size_t frame) const override;
 
  private:
-  enum class EdgeState : std::uint8_t {
-    kPriced,  // in the queue under its cost
-    kStale,   // in the queue under a cost from before its surroundings changed
-    kPutOff,  // refused as its surroundings are now; not in the queue
-    kGone,    // no longer there, whether in the queue or not
-  };
   struct Met {
     Index round = 0;
     std::array<Index, 2> triangles{};
@@ -49,7 +42,7 @@ class VolumeContractor final : public Contraction {
   const SymmetricMatrix& star(Index v);
   void update_star(Index v);
   VolumePlacement placement(Index edge);
-  void enqueue(Index edge);
+  float cost(Index edge);
   bool folds_over(Index edge, const Vec3d& point);
   void apply(Index edge, const Vec3d& point);
 
@@ -59,9 +52,6 @@ class VolumeContractor final : public Contraction {
   std::vector<Facet> facets_;              // [triangle count]
   std::vector<SymmetricMatrix> stars_;     // [vertex_count]
   std::vector<std::uint8_t> is_old_star_;  // [vertex_count]: whether the surface around it has changed since
-  std::vector<EdgeState> state_;           // [edge_count]
-  CostQueue queue_{0};
-  bool check_fold_over_ = true;
 
   std::vector<Met> met_;  // [vertex_count], scratch: the triangles that join it to the centre of this round
   Index round_ = 0;

@@ -34,12 +34,8 @@ double reciprocal(double x) { return x > 0 ? 1 / x : 0; }
 LevelFit::LevelFit(const Mesh& mesh, const Hierarchy& hierarchy)
     : mesh_(mesh), hierarchy_(hierarchy), areas_(hierarchy.node_count()) {}
 
-void LevelFit::sum_areas(std::span<const Vec3d> positions) {
-  std::fill(areas_.begin(), areas_.end(), 0.0);
-  for (const auto& [a, b, c] : mesh_.triangles) {
-    const double third = length(cross(positions[b] - positions[a], positions[c] - positions[a])) * (1.0 / 6);
-    areas_[a] += third, areas_[b] += third, areas_[c] += third;
-  }
+void LevelFit::sum_areas(std::span<const double> vertex_areas) {
+  std::fill(std::copy(vertex_areas.begin(), vertex_areas.end(), areas_.begin()), areas_.end(), 0.0);
   for (Index node = 0; node < hierarchy_.node_count(); ++node)
     if (hierarchy_.parent[node] != kNone) areas_[hierarchy_.parent[node]] += areas_[node];
 }
@@ -162,10 +158,12 @@ void LevelFit::move(Index node, const Quadric& q, double anchor, Vec3d& x) const
   x = x + minimum(from_here).point;
 }
 
-void LevelFit::fit(std::span<const Quadric> quadrics, const FitOptions& options, std::span<Vec3d> positions) {
+void LevelFit::fit(std::span<const double> vertex_areas, std::span<const Quadric> quadrics, const FitOptions& options,
+                   std::span<Vec3d> positions) {
+  assert(vertex_areas.size() == hierarchy_.vertex_count());
   assert(quadrics.size() == areas_.size() && positions.size() == areas_.size());
   if (options.rounds == 0) return;
-  sum_areas(positions);
+  sum_areas(vertex_areas);
   triangles_ = mesh_.triangles;
   for (Index level = 1; level < hierarchy_.level_count(); ++level) {
     go_up(level);

@@ -26,9 +26,11 @@ class LevelFit {
   // Both must outlive this object. The hierarchy may change its parents between calls.
   LevelFit(const Mesh& mesh, const Hierarchy& hierarchy);
 
-  // Moves all nodes above the finest level. quadrics: [node_count], of the clusters; positions: [node_count], the
-  // finest as they are, the others at the minima of their quadrics.
-  void fit(std::span<const Quadric> quadrics, const FitOptions& options, std::span<Vec3d> positions);
+  // Moves all nodes above the finest level. vertex_areas: [vertex_count], VertexQuadrics::areas(); quadrics:
+  // [node_count], of the clusters; positions: [node_count], the finest as they are, the others at the minima of their
+  // quadrics.
+  void fit(std::span<const double> vertex_areas, std::span<const Quadric> quadrics, const FitOptions& options,
+           std::span<Vec3d> positions);
 
  private:
   // A triangle as seen from one of its corners, the origin.
@@ -50,7 +52,7 @@ class LevelFit {
     Vec3d force{};
   };
 
-  void sum_areas(std::span<const Vec3d> positions);
+  void sum_areas(std::span<const double> vertex_areas);
   void go_up(Index level);
   Index sample_level(Index level) const;
   void find_members(Index level);

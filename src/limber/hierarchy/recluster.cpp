@@ -206,7 +206,7 @@ std::span<const Swap> Reclusterer::step(std::span<const Vec3f> positions) {
   for (auto level = static_cast<Index>(graphs_.size()); level-- > 0;)
     improve_level(level, first_ ? 0.0 : options_.threshold);
   place_all();
-  fit_.fit(quadrics_, options_.fit, minima_);
+  fit_.fit(vertex_quadrics_.areas(), quadrics_, options_.fit, minima_);
   first_ = false;
 
   swaps_.clear();
