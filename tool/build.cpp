@@ -13,6 +13,7 @@
 #include "tool/output_argument.h"
 #include "tool/progress.h"
 #include "tool/ranges.h"
+#include "tool/recluster_argument.h"
 #include "tool/stream_file.h"
 #include "tool/verb.h"
 
@@ -197,27 +198,6 @@ void declare_levels(CLI::App& app, BuildStreamOptions& options) {
       ->capture_default_str();
 }
 
-void declare_reclustering(CLI::App& app, ReclusterOptions& options) {
-  app.add_option("--threshold", options.threshold,
-                 "least benefit of a swap, as a share of the mean error of the clusters on its level")
-      ->check(in_range(0, 1e6))
-      ->type_name("X")
-      ->capture_default_str();
-  app.add_option("--fit", options.fit.rounds,
-                 "how often the levels are fitted to the surface; 0: their nodes stand at the minima of their quadrics")
-      ->check(in_range(0, 100))
-      ->type_name("N")
-      ->capture_default_str();
-  app.add_option("--coarser-weight", options.coarser_weight, "weight of each level against the one below it")
-      ->check(above_zero(1e6))
-      ->type_name("X")
-      ->capture_default_str();
-  app.add_option("--growth", options.growth,
-                 "how fast errors grow as levels get smaller: an exponent; fitted to the clip where not given")
-      ->check(above_zero(10))
-      ->type_name("X");
-}
-
 void declare_encoding(CLI::App& app, EncoderOptions& options) {
   CLI::Option* const tolerance =
       app.add_option("--tolerance", options.tolerance,
@@ -241,7 +221,7 @@ Action declare_build(CLI::App& app) {
   declare_output(app, arguments->output, "the stream: out.limber, or - for standard output");
   app.add_flag("--dry-run", arguments->dry_run, "look at the first frame, say what would be done, and write nothing");
   declare_levels(app, arguments->options);
-  declare_reclustering(app, arguments->options.recluster);
+  declare_recluster(app, arguments->options.recluster, "OPTIONS");
   declare_encoding(app, arguments->options.encoder);
   return [arguments](Console& console) { return build(*arguments, console); };
 }

@@ -177,10 +177,7 @@ BuildStreamOptions stream_options(const eval::MethodOptions& method, std::uint32
   BuildStreamOptions options;
   options.hierarchy = {.branching = method.branching, .level_sizes = method.level_sizes, .contract = method.contract};
   if (options.hierarchy.level_sizes.empty() && method.vertices > 0) options.hierarchy.level_sizes = {method.vertices};
-  options.recluster.growth = method.growth;
-  options.recluster.coarser_weight = method.coarser_weight;
-  options.recluster.threshold = method.threshold;
-  options.recluster.fit = method.fit;
+  options.recluster = method.recluster;
   options.base_frames = base_frames;
   options.threads = threads;
   return options;

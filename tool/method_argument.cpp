@@ -7,6 +7,7 @@
 
 #include "eval/peers/peers.h"
 #include "tool/exit.h"
+#include "tool/recluster_argument.h"
 #include "tool/suggest.h"
 
 namespace limber::tool {
@@ -115,22 +116,7 @@ void declare_method(CLI::App& app, MethodArgument& argument) {
       ->check(CLI::Range(1u, 1000u))
       ->capture_default_str()
       ->group(group);
-  app.add_option("--threshold", options.threshold, "how much a swap must be worth: larger is calmer")
-      ->check(CLI::Range(0.0, 1e6))
-      ->capture_default_str()
-      ->group(group);
-  app.add_option("--fit", options.fit.rounds, "how often the levels are fitted to the surface; 0: not, as in the paper")
-      ->type_name("N")
-      ->check(CLI::Range(0u, 100u))
-      ->capture_default_str()
-      ->group(group);
-  app.add_option("--coarser-weight", options.coarser_weight, "of the errors of coarser levels")
-      ->check(CLI::Range(1e-9, 1e9))
-      ->capture_default_str()
-      ->group(group);
-  app.add_option("--growth", options.growth, "exponent of the error over the level size; fitted where not given")
-      ->check(CLI::Range(0.0, 10.0))
-      ->group(group);
+  declare_recluster(app, options.recluster, group);
   declare_feature(app, options.feature);
   app.add_option("--history", options.history,
                  "what a contraction costs of its price that leads to a node of the frame before; 1: no history")

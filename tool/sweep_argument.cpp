@@ -23,9 +23,10 @@ constexpr Parameter kParameters[] = {
     {"k1", "feature", [](eval::MethodOptions& o) -> double& { return o.feature.deformation; }},
     {"k2", "feature", [](eval::MethodOptions& o) -> double& { return o.feature.feature; }},
     {"sharp-angle", "feature", [](eval::MethodOptions& o) -> double& { return o.feature.sharp_angle; }},
-    {"threshold", "multilevel", [](eval::MethodOptions& o) -> double& { return o.threshold; }},
+    {"threshold", "multilevel", [](eval::MethodOptions& o) -> double& { return o.recluster.threshold; }},
+    {"hysteresis", "multilevel", [](eval::MethodOptions& o) -> double& { return o.recluster.rebirth.hysteresis; }},
     {"branching", "multilevel", [](eval::MethodOptions& o) -> double& { return o.branching; }},
-    {"coarser-weight", "multilevel", [](eval::MethodOptions& o) -> double& { return o.coarser_weight; }},
+    {"coarser-weight", "multilevel", [](eval::MethodOptions& o) -> double& { return o.recluster.coarser_weight; }},
     {"history", "t-dag", [](eval::MethodOptions& o) -> double& { return o.history; }},
 };
 

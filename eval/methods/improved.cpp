@@ -42,12 +42,10 @@ class Improved final : public Method {
     const std::span<const Vec3f> frames[] = {positions};
     Contractor contractor(*mesh_, frames, options_.contract);
     contract_to_size(contractor, *mesh_, options_);
-    const ReclusterOptions recluster{.topology = options_.contract.topology,
-                                     .quadrics = options_.contract.quadrics,
-                                     .growth = options_.growth,
-                                     .coarser_weight = options_.coarser_weight,
-                                     .threshold = 0,
-                                     .fit = {.rounds = 0}};
+    ReclusterOptions recluster = recluster_options(Follow::kPaper);
+    recluster.topology = options_.contract.topology;
+    recluster.quadrics = options_.contract.quadrics;
+    recluster.threshold = 0;
     TwoLevels levels = two_levels(contractor, mesh_->vertex_count);
     const double contract_seconds = contracting.seconds();
     Follower follower(*mesh_, std::move(levels.hierarchy), recluster, {.by = CutBy::kLevel, .level = 1});

@@ -13,7 +13,7 @@
 #include "limber/base/result.h"
 #include "limber/base/vec.h"
 #include "limber/contract/contract.h"
-#include "limber/hierarchy/level_fit.h"
+#include "limber/hierarchy/recluster.h"
 
 namespace limber::eval {
 
@@ -37,10 +37,7 @@ struct MethodOptions {
   // given a vertex count is the exact size of a level, and the levels around it are spaced as `branching` says.
   double branching = 8;
   std::vector<Index> level_sizes{};
-  std::optional<double> growth{};
-  double coarser_weight = 0.2;
-  double threshold = 0.05;
-  FitOptions fit{};
+  ReclusterOptions recluster{};  // its topology and quadrics are those of `contract`
 
   FeatureOptions feature{};
 

@@ -39,12 +39,9 @@ class Multilevel final : public Method {
     if (build.level_sizes.empty() && options_.vertices > 0) {
       build.level_sizes = levels_around(mesh.vertex_count, options_.vertices, options_.branching);
     }
-    const ReclusterOptions recluster{.topology = options_.contract.topology,
-                                     .quadrics = options_.contract.quadrics,
-                                     .growth = options_.growth,
-                                     .coarser_weight = options_.coarser_weight,
-                                     .threshold = options_.threshold,
-                                     .fit = options_.fit};
+    ReclusterOptions recluster = options_.recluster;
+    recluster.topology = options_.contract.topology;
+    recluster.quadrics = options_.contract.quadrics;
     follower_.emplace(mesh, build_hierarchy(mesh, seen, build), recluster, cut_to_size(options_));
   }
 

@@ -31,67 +31,68 @@ namespace {
 constexpr double kPaperGrowth = 1.9127;
 constexpr double kLeastGrowth = 1, kMostGrowth = 3;  // beyond, the fit has met something else
 constexpr double kRounding = 1e-18;                  // of errors of a surface of unit size
+constexpr double kLikely = 0.5;  // an estimate of less than this share need not be looked at closely
+constexpr unsigned kMostRounds = 8;                  // of births and deaths on a level in a step
 
 }  // namespace
 
+ReclusterOptions recluster_options(Follow follow) {
+  ReclusterOptions options;
+  switch (follow) {
+    case Follow::kCalm:
+      options.threshold = 0.2;
+      options.rebirth.hysteresis = 3;
+      break;
+    case Follow::kBalanced:
+      break;
+    case Follow::kClose:
+      options.threshold = 0;
+      options.rebirth = {.hysteresis = 1.2, .again = 0};
+      break;
+    case Follow::kPaper:
+      options.benefit = Benefit::kFixed;
+      options.rebirth.hysteresis = 0;
+      options.fit.rounds = 0;
+      break;
+  }
+  return options;
+}
+
 Reclusterer::Reclusterer(const Mesh& mesh, Hierarchy base, const ReclusterOptions& options)
     : options_(options),
-      hierarchy_(std::move(base)),
-      children_(hierarchy_),
-      is_valid_(hierarchy_, children_, options.topology),
+      clusters_(std::move(base)),
+      worth_(clusters_, options.benefit),
+      is_valid_(clusters_.hierarchy(), clusters_.children(), options.topology),
+      rebirth_(clusters_, is_valid_, worth_),
       vertex_quadrics_(mesh, options.quadrics),
-      graphs_(hierarchy_.level_count() - 1),
-      level_weight_(hierarchy_.level_count(), 1.0),
-      quadrics_(hierarchy_.node_count()),
-      minima_(hierarchy_.node_count()),
-      energies_(hierarchy_.node_count(), 0.0),
-      positions_(hierarchy_.node_count()),
-      errors_(hierarchy_.node_count(), 0.0f),
-      fit_(mesh, hierarchy_),
-      mark_(hierarchy_.node_count(), 0) {
-  assert(hierarchy_.vertex_count() == mesh.vertex_count);
+      graphs_(hierarchy().level_count() - 1),
+      positions_(hierarchy().node_count()),
+      errors_(hierarchy().node_count(), 0.0f),
+      fit_(mesh, clusters_.hierarchy()),
+      mark_(hierarchy().node_count(), 0) {
+  assert(hierarchy().vertex_count() == mesh.vertex_count);
   if (!graphs_.empty()) graph_builder_.build_finest(mesh, options.topology == Topology::kFree, graphs_[0]);
 }
 
-double Reclusterer::total_error(Index level) const {
-  double sum = 0;
-  for (Index node = hierarchy_.level_begin[level]; node < hierarchy_.level_begin[level + 1]; ++node)
-    sum += energies_[node];
-  return sum;
-}
-
 void Reclusterer::measure_leeways(const LeewayOptions& options, std::span<Leeway> leeways) const {
-  const Index vertex_count = hierarchy_.vertex_count();
-  assert(leeways.size() == hierarchy_.node_count() - vertex_count);
-  for (std::size_t i = 0; i < leeways.size(); ++i)
-    leeways[i] = leeway(quadrics_[vertex_count + i], energies_[vertex_count + i], scale_, options);
-}
-
-void Reclusterer::place(Index node) {
-  const QuadricMinimum at = minimum(quadrics_[node]);
-  minima_[node] = at.point;
-  energies_[node] = at.value;
-}
-
-// Sums the quadrics of the finest vertices up the levels, in the order of the nodes, and places every node.
-void Reclusterer::place_all() {
-  const Index vertex_count = hierarchy_.vertex_count(), node_count = hierarchy_.node_count();
-  std::fill(quadrics_.begin() + vertex_count, quadrics_.end(), Quadric{});
-  for (Index node = 0; node < node_count; ++node)
-    if (hierarchy_.parent[node] != kNone) quadrics_[hierarchy_.parent[node]] += quadrics_[node];
-  for (Index node = vertex_count; node < node_count; ++node) place(node);
+  const Index vertex_count = hierarchy().vertex_count();
+  assert(leeways.size() == hierarchy().node_count() - vertex_count);
+  for (std::size_t i = 0; i < leeways.size(); ++i) {
+    const auto node = static_cast<Index>(vertex_count + i);
+    leeways[i] = leeway(clusters_.quadric(node), clusters_.energy(node), scale_, options);
+  }
 }
 
 // The slope of log(total error) over log(size), by least squares over the levels above the finest. Levels that the
 // topology kept from shrinking say nothing about it.
 double Reclusterer::fitted_growth() const {
   double count = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
-  for (Index level = 1; level < hierarchy_.level_count(); ++level) {
+  for (Index level = 1; level < hierarchy().level_count(); ++level) {
     const double error = total_error(level);
     if (!(error > 0) ||
-        5 * std::uint64_t{hierarchy_.level_size(level)} > 4 * std::uint64_t{hierarchy_.level_size(level - 1)})
+        5 * std::uint64_t{hierarchy().level_size(level)} > 4 * std::uint64_t{hierarchy().level_size(level - 1)})
       continue;
-    const double x = portable_log(hierarchy_.level_size(level)), y = portable_log(error);
+    const double x = portable_log(hierarchy().level_size(level)), y = portable_log(error);
     count += 1, sx += x, sy += y, sxx += x * x, sxy += x * y;
   }
   const double spread = count * sxx - sx * sx;
@@ -100,35 +101,28 @@ double Reclusterer::fitted_growth() const {
   return growth >= kLeastGrowth && growth <= kMostGrowth ? growth : kPaperGrowth;
 }
 
-// Equation 1 on the node's level and, weighted by equation 2, on all coarser ones up to the first common cluster.
-double Reclusterer::benefit(Index node, Index to) const {
-  const Quadric& q = quadrics_[node];
-  Index from = hierarchy_.parent[node];
-  Index level = hierarchy_.level_of(from);
-  double sum = 0, weight = 1;
-  while (from != to) {
-    sum += weight * (q(minima_[from]) - q(minima_[to]));
-    from = hierarchy_.parent[from], to = hierarchy_.parent[to];
-    if (from == kNone) break;
-    weight *= level_weight_[++level];
-  }
-  return sum;
-}
-
-// The valid swap of the node with the largest benefit above the least one; none: node is kNone.
+// The swap to the cluster that bears the node most easily, where it is valid and gains more than the least benefit; none:
+// node is kNone. Only this one is judged exactly.
 Reclusterer::Candidate Reclusterer::best_swap(const LevelGraph& graph, Index node, double least_benefit) {
-  Candidate best{least_benefit, kNone, kNone};
-  const Index from = hierarchy_.parent[node];
-  Index seen[8];
-  unsigned seen_count = 0;
+  const Candidate none{0, kNone, kNone};
+  const Index from = clusters_.parent(node);
+  if (clusters_.has_one_child(from)) return none;
+  targets_.clear();
   for (const Index n : graph.around(node)) {
-    const Index to = hierarchy_.parent[n];
-    if (to == from || std::find(seen, seen + seen_count, to) != seen + seen_count) continue;
-    if (seen_count < std::size(seen)) seen[seen_count++] = to;
-    const double b = benefit(node, to);
-    if (b > best.benefit && is_valid_(graph, node, to)) best = {b, node, to};
+    const Index to = clusters_.parent(n);
+    if (to == from || std::ranges::find(targets_, to, &Target::cluster) != targets_.end()) continue;
+    targets_.push_back({worth_.about_burden(clusters_.quadric(node), to), to});
   }
-  return best;
+  if (targets_.empty()) return none;
+  std::ranges::sort(targets_, {}, &Target::burden);
+  if (!(worth_.about_release(node) - targets_.front().burden > kLikely * least_benefit)) return none;
+  const double release = worth_.release(node);
+  for (const Target& target : targets_) {
+    const double benefit = worth_.of_swap(node, target.cluster, release);
+    if (!(benefit > least_benefit)) return none;
+    if (is_valid_(graph, node, target.cluster)) return {benefit, node, target.cluster};
+  }
+  return none;
 }
 
 // The members of a cluster and what stands around them are worth another look.
@@ -138,23 +132,34 @@ void Reclusterer::touch(const LevelGraph& graph, Index cluster) {
     mark_[node] = pass_;
     pending_.push_back(node);
   };
-  for (Index child = children_.first_child(cluster); child != kNone; child = children_.next_sibling(child)) {
+  for (Index child = clusters_.children().first_child(cluster); child != kNone;
+       child = clusters_.children().next_sibling(child)) {
     add(child);
     for (const Index n : graph.around(child)) add(n);
   }
 }
 
-void Reclusterer::apply(const LevelGraph& graph, Index node, Index to) {
-  Index from = hierarchy_.parent[node];
-  children_.move(node, from, to);
-  hierarchy_.parent[node] = to;
-  touch(graph, from);
-  touch(graph, to);
-  for (; from != to && from != kNone; from = hierarchy_.parent[from], to = hierarchy_.parent[to]) {
-    quadrics_[from] -= quadrics_[node];
-    quadrics_[to] += quadrics_[node];
-    place(from);
-    place(to);
+// Until none is left that gains more than the least benefit.
+void Reclusterer::make_swaps(const LevelGraph& graph, double least_benefit) {
+  while (!pending_.empty()) {
+    candidates_.clear();
+    for (const Index node : pending_)
+      if (const Candidate c = best_swap(graph, node, least_benefit); c.node != kNone) candidates_.push_back(c);
+    std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& a, const Candidate& b) {
+      return a.benefit != b.benefit ? a.benefit > b.benefit : a.node < b.node;
+    });
+    pending_.clear();
+    ++pass_;
+    for (const Candidate& c : candidates_) {
+      // Swaps made since, near or below the same coarser clusters, may have taken the benefit away or made another
+      // target better; then the next pass decides. Every swap that is made does lower the error: so this ends.
+      if (worth_.of_swap(c.node, c.to) < std::max(0.5 * c.benefit, least_benefit)) continue;
+      if (!is_valid_(graph, c.node, c.to)) continue;
+      const Index from = clusters_.parent(c.node);
+      clusters_.move(c.node, c.to);
+      touch(graph, from);
+      touch(graph, c.to);
+    }
   }
 }
 
@@ -162,61 +167,53 @@ void Reclusterer::improve_level(Index level, double threshold) {
   const LevelGraph& graph = graphs_[level];
   // At least so much that rounding alone does not look like a benefit, on flat surfaces too.
   const double least =
-      (std::max(threshold, 1e-6) * total_error(level + 1) + kRounding) / hierarchy_.level_size(level + 1);
+      (std::max(threshold, 1e-6) * total_error(level + 1) + kRounding) / hierarchy().level_size(level + 1);
   pending_.resize(graph.size());
   for (Index i = 0; i < graph.size(); ++i) pending_[i] = graph.first_node + i;
-  while (!pending_.empty()) {
-    candidates_.clear();
-    for (const Index node : pending_)
-      if (const Candidate c = best_swap(graph, node, least); c.node != kNone) candidates_.push_back(c);
-    std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& a, const Candidate& b) {
-      return a.benefit != b.benefit ? a.benefit > b.benefit : a.node < b.node;
-    });
-    pending_.clear();
+  const double again = first_ ? 0 : options_.rebirth.again;
+  bool is_worth_it = true;
+  for (unsigned round = 0;; ++round) {
+    make_swaps(graph, least);
+    if (round == kMostRounds || !is_worth_it) return;
+    const std::vector<Index>& changed = rebirth_.pair_up(graph, least, options_.rebirth);
+    is_worth_it = static_cast<double>(changed.size()) > again * hierarchy().level_size(level + 1);
     ++pass_;
-    for (const Candidate& c : candidates_) {
-      // Swaps made since may have taken the benefit away or made another target better; then the next pass decides.
-      if (const bool untouched = mark_[c.node] != pass_; !untouched && benefit(c.node, c.to) < 0.5 * c.benefit)
-        continue;
-      if (is_valid_(graph, c.node, c.to)) apply(graph, c.node, c.to);
-    }
+    for (const Index cluster : changed) touch(graph, cluster);
   }
 }
 
 std::span<const Swap> Reclusterer::step(std::span<const Vec3f> positions) {
-  assert(positions.size() == hierarchy_.vertex_count());
-  const Index vertex_count = hierarchy_.vertex_count();
+  assert(positions.size() == hierarchy().vertex_count());
+  const Index vertex_count = hierarchy().vertex_count();
   Normalization frame = normalization(positions);
   if (first_) scale_ = frame.scale;
   frame.scale = scale_;
-  for (Index v = 0; v < vertex_count; ++v) minima_[v] = frame.to_unit(positions[v]);
-  vertex_quadrics_.compute(std::span(minima_).first(vertex_count), std::span(quadrics_).first(vertex_count));
-  place_all();
+  const std::span<Vec3d> finest = clusters_.finest_positions();
+  for (Index v = 0; v < vertex_count; ++v) finest[v] = frame.to_unit(positions[v]);
+  vertex_quadrics_.compute(finest, clusters_.finest_quadrics());
+  clusters_.weigh();
 
   if (first_) {
     growth_ = options_.growth.value_or(fitted_growth());
-    for (Index level = 2; level < hierarchy_.level_count(); ++level) {
-      const double ratio = static_cast<double>(hierarchy_.level_size(level)) / hierarchy_.level_size(level - 1);
-      level_weight_[level] = options_.coarser_weight * portable_exp(growth_ * portable_log(ratio));
-    }
+    worth_.set_weights(growth_, options_.coarser_weight);
   }
-  parents_before_ = hierarchy_.parent;
+  parents_before_ = hierarchy().parent;
   for (Index level = 1; level < graphs_.size(); ++level)
-    graph_builder_.build_coarser(hierarchy_, level, graphs_[level - 1], graphs_[level]);
+    graph_builder_.build_coarser(hierarchy(), level, graphs_[level - 1], graphs_[level]);
   for (auto level = static_cast<Index>(graphs_.size()); level-- > 0;)
     improve_level(level, first_ ? 0.0 : options_.threshold);
-  place_all();
-  fit_.fit(vertex_quadrics_.areas(), quadrics_, options_.fit, minima_);
+  clusters_.weigh();
+  fit_.fit(vertex_quadrics_.areas(), clusters_.quadrics(), options_.fit, clusters_.minima());
   first_ = false;
 
   swaps_.clear();
-  for (Index node = 0; node < hierarchy_.node_count(); ++node)
-    if (hierarchy_.parent[node] != parents_before_[node]) swaps_.push_back({node, hierarchy_.parent[node]});
+  for (Index node = 0; node < hierarchy().node_count(); ++node)
+    if (hierarchy().parent[node] != parents_before_[node]) swaps_.push_back({node, hierarchy().parent[node]});
   std::copy(positions.begin(), positions.end(), positions_.begin());
   const double unit_error = 1 / (scale_ * scale_);
-  for (Index node = vertex_count; node < hierarchy_.node_count(); ++node) {
-    positions_[node] = frame.from_unit(minima_[node]);
-    errors_[node] = static_cast<float>(std::sqrt(energies_[node]) * unit_error);
+  for (Index node = vertex_count; node < hierarchy().node_count(); ++node) {
+    positions_[node] = frame.from_unit(clusters_.minimum_at(node));
+    errors_[node] = static_cast<float>(std::sqrt(clusters_.energy(node)) * unit_error);
   }
   return swaps_;
 }

@@ -10,12 +10,14 @@
 #include "limber/base/quadric.h"
 #include "limber/base/vec.h"
 #include "limber/contract/contract.h"
-#include "limber/hierarchy/child_lists.h"
+#include "limber/hierarchy/clustering.h"
 #include "limber/hierarchy/hierarchy.h"
 #include "limber/hierarchy/leeway.h"
 #include "limber/hierarchy/level_fit.h"
 #include "limber/hierarchy/level_graph.h"
+#include "limber/hierarchy/rebirth.h"
 #include "limber/hierarchy/swap_validity.h"
+#include "limber/hierarchy/worth.h"
 
 namespace limber {
 
@@ -31,9 +33,23 @@ struct ReclusterOptions {
   // A swap is worth making when it lowers the weighted error by more than this share of the mean error of the
   // clusters on its level, >= 0: what trades error against changes, time and bytes.
   double threshold = 0.05;
+  Benefit benefit = Benefit::kExact;
+  // Births and deaths of clusters beside the swaps.
+  RebirthOptions rebirth;
   // How the nodes' positions are fitted to the surface; swaps are chosen by quadrics alone.
   FitOptions fit;
 };
+
+// How closely a hierarchy follows a clip: docs/design.md, "How closely", has the curve.
+enum class Follow {
+  kCalm,
+  kBalanced,
+  kClose,
+  kPaper,  // Kircher & Garland's: swaps alone, judged by equation 1, nodes at the minima of their quadrics
+};
+
+// The numbers behind the word.
+ReclusterOptions recluster_options(Follow follow);
 
 // Follows a clip frame by frame. One frame of memory.
 class Reclusterer {
@@ -48,7 +64,7 @@ class Reclusterer {
   std::span<const Swap> step(std::span<const Vec3f> positions);
 
   // All of the last step:
-  const Hierarchy& hierarchy() const { return hierarchy_; }
+  const Hierarchy& hierarchy() const { return clusters_.hierarchy(); }
   // [node_count]; finest nodes have the positions given, others those of level_fit.h.
   std::span<const Vec3f> positions() const { return positions_; }
   // [node_count]; square root of the least quadric error, 0 for finest nodes (see stream/frame_state.h for the unit).
@@ -57,7 +73,7 @@ class Reclusterer {
   // the positions.
   void measure_leeways(const LeewayOptions& options, std::span<Leeway> leeways) const;
   // Sum of the quadric errors of a level, normalized by the frame's diagonal to the fourth power.
-  double total_error(Index level) const;
+  double total_error(Index level) const { return clusters_.total_energy(level); }
   // The exponent in use, after the first step.
   double growth() const { return growth_; }
 
@@ -67,31 +83,29 @@ class Reclusterer {
     Index node, to;
   };
 
-  void place_all();
-  void place(Index node);
+  struct Target {
+    double burden;
+    Index cluster;
+  };
+
   double fitted_growth() const;
-  double benefit(Index node, Index to) const;
   Candidate best_swap(const LevelGraph& graph, Index node, double least_benefit);
-  void apply(const LevelGraph& graph, Index node, Index to);
+  void make_swaps(const LevelGraph& graph, double least_benefit);
   void touch(const LevelGraph& graph, Index cluster);
   void improve_level(Index level, double threshold);
 
   ReclusterOptions options_;
-  Hierarchy hierarchy_;
-  ChildLists children_;
+  Clustering clusters_;
+  Worth worth_;
   SwapValidity is_valid_;
+  Rebirth rebirth_;
   VertexQuadrics vertex_quadrics_;
   LevelGraphBuilder graph_builder_;
   std::vector<LevelGraph> graphs_;    // [level_count - 1]: levels whose nodes have parents
-  std::vector<double> level_weight_;  // [level_count]: of a level against the one below
   double growth_ = 0;
   double scale_ = 0;  // of the first frame's normalization, used for all
   bool first_ = true;
 
-  std::vector<Quadric> quadrics_;  // [node_count]
-  // [node_count], normalized; finest nodes where they are; after a step, as fitted
-  std::vector<Vec3d> minima_;
-  std::vector<double> energies_;       // [node_count], quadric errors
   std::vector<Vec3f> positions_;       // [node_count]
   std::vector<float> errors_;          // [node_count]
   std::vector<Index> parents_before_;  // [node_count]
@@ -99,6 +113,7 @@ class Reclusterer {
 
   LevelFit fit_;
 
+  std::vector<Target> targets_;        // scratch of best_swap()
   std::vector<Candidate> candidates_;  // scratch of a pass
   std::vector<Index> pending_;         // nodes to look at in the next pass
   std::vector<Index> mark_;            // [node_count]: pending when == pass_

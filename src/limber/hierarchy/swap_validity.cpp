@@ -12,6 +12,11 @@
 //        d d                         v brings b into contact with all that stands around it.
 //
 // On coarser levels the ring is the same and the labels are the ancestors of that level.
+//
+// Births and deaths of clusters are neither in the paper. Where v is all that a has, its swap contracts the edge from a to
+// b: a has no run then, and that all others touch b's run or do not touch b at all is the link condition. It does not see
+// the case in which nothing is left to be a surface: with three runs, b must touch a fourth cluster. Where v founds a
+// cluster, that is the inverse: every label has one run, and a corner of the level needs at least three.
 #include "limber/hierarchy/swap_validity.h"
 
 #include <algorithm>
@@ -39,27 +44,37 @@ bool SwapValidity::are_joined(const LevelGraph& graph, Index cluster, Index othe
   });
 }
 
-bool SwapValidity::keeps_homeomorphism(const LevelGraph& graph, Index node, Index from, Index to, Index levels_up) {
+bool SwapValidity::is_swappable(const LevelGraph& graph, Index node) const {
+  return topology_ == Topology::kFree || graph.star_of(node) != Star::kIrregular;  // no promise could be kept around it
+}
+
+bool SwapValidity::is_beside(const LevelGraph& graph, Index node, Index cluster, Index levels_up) const {
+  const auto around = graph.around(node);
+  return std::any_of(around.begin(), around.end(), [&](Index n) { return ancestor(n, levels_up) == cluster; });
+}
+
+// Fills runs_. Whether every label has no more than one.
+bool SwapValidity::find_runs(const LevelGraph& graph, Index node, Index levels_up) {
   runs_.clear();
   for (const Index n : graph.around(node)) {
     const Index label = ancestor(n, levels_up);
     if (runs_.empty() || runs_.back() != label) runs_.push_back(label);
   }
   if (graph.star_of(node) == Star::kBorder)
-    runs_.push_back(kNone);  // the outside
+    runs_.push_back(kNone);
   else if (runs_.size() > 1 && runs_.front() == runs_.back())
     runs_.pop_back();
+  for (std::size_t i = 0; i < runs_.size(); ++i)
+    if (std::find(runs_.begin() + static_cast<std::ptrdiff_t>(i) + 1, runs_.end(), runs_[i]) != runs_.end())
+      return false;
+  return true;
+}
 
+// Whether no label but those beside the run of `to`, and `from`, meets `to` without the node. Precondition: runs_.
+bool SwapValidity::keeps_contacts(const LevelGraph& graph, Index node, Index from, Index to, Index levels_up) {
   const std::size_t count = runs_.size();
-  std::size_t to_at = count;
-  bool from_found = false;
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t k = i + 1; k < count; ++k)
-      if (runs_[i] == runs_[k]) return false;
-    from_found |= runs_[i] == from;
-    if (runs_[i] == to) to_at = i;
-  }
-  if (!from_found || to_at == count) return false;
+  const auto to_at = static_cast<std::size_t>(std::find(runs_.begin(), runs_.end(), to) - runs_.begin());
+  if (to_at == count) return false;
   for (std::size_t i = 0; i < count; ++i) {
     if (i == to_at || (i + 1) % count == to_at || (to_at + 1) % count == i || runs_[i] == from) continue;
     if (are_joined(graph, to, runs_[i], levels_up, node)) return false;
@@ -67,22 +82,36 @@ bool SwapValidity::keeps_homeomorphism(const LevelGraph& graph, Index node, Inde
   return true;
 }
 
-// Whether the node has a neighbour in `to`, and those that it has in `from` are connected with each other inside `from`
-// without it: searched from one of them until all are found.
-bool SwapValidity::keeps_connection(const LevelGraph& graph, Index node, Index from, Index to, Index levels_up) {
+bool SwapValidity::keeps_homeomorphism(const LevelGraph& graph, Index node, Index from, Index to, Index levels_up) {
+  return find_runs(graph, node, levels_up) && std::find(runs_.begin(), runs_.end(), from) != runs_.end() &&
+         keeps_contacts(graph, node, from, to, levels_up);
+}
+
+// Whether a member of the cluster, one level up, has a neighbour in a cluster that has no run. Precondition: runs_.
+bool SwapValidity::touches_beyond_runs(const LevelGraph& graph, Index cluster, Index except) const {
+  const auto has_run = [this](Index label) { return std::find(runs_.begin(), runs_.end(), label) != runs_.end(); };
+  return any_of(cluster, 1, [&](Index member) {
+    if (graph.star_of(member) != Star::kClosed && !has_run(kNone)) return true;
+    const auto around = graph.around(member);
+    return std::any_of(around.begin(), around.end(),
+                       [&](Index n) { return n != except && !has_run(hierarchy_.parent[n]); });
+  });
+}
+
+// Whether those neighbours that the node has in `from` are connected with each other inside `from` without it: searched
+// from one of them until all are found.
+bool SwapValidity::keeps_connection(const LevelGraph& graph, Index node, Index from, Index levels_up) {
   if (mark_.size() < hierarchy_.node_count() || stamp_ > kNone - 2) mark_.assign(hierarchy_.node_count(), stamp_ = 0);
   const Index sought = ++stamp_, found = ++stamp_;
   std::size_t left = 0;
   Index start = kNone;
-  bool to_found = false;
   for (const Index n : graph.around(node)) {
-    to_found |= ancestor(n, levels_up) == to;
     if (ancestor(n, levels_up) != from) continue;
     mark_[n] = sought;
     start = n;
     ++left;
   }
-  if (left == 0 || !to_found) return false;
+  if (left == 0) return false;
   reached_.assign(1, start);
   mark_[start] = found;
   --left;
@@ -97,20 +126,42 @@ bool SwapValidity::keeps_connection(const LevelGraph& graph, Index node, Index f
   return left == 0;
 }
 
-bool SwapValidity::operator()(const LevelGraph& graph, Index node, Index to) {
-  Index from = hierarchy_.parent[node];
-  assert(from != kNone && from != to);
-  const bool regular = graph.star_of(node) != Star::kIrregular;
-  if (topology_ == Topology::kPreserve && !regular) return false;  // no promise could be kept around it
-  for (Index levels_up = 1; from != to; ++levels_up) {
-    if (!(topology_ == Topology::kPreserve ? keeps_homeomorphism(graph, node, from, to, levels_up)
-                                           : keeps_connection(graph, node, from, to, levels_up)))
+// The level of the labels and those above, up to the first cluster that holds both.
+bool SwapValidity::is_valid_from(const LevelGraph& graph, Index node, Index from, Index to, Index levels_up) {
+  for (; from != to; ++levels_up) {
+    if (!(topology_ == Topology::kPreserve
+              ? keeps_homeomorphism(graph, node, from, to, levels_up)
+              : is_beside(graph, node, to, levels_up) && keeps_connection(graph, node, from, levels_up)))
       return false;
     from = hierarchy_.parent[from];
     to = hierarchy_.parent[to];
-    if (from == kNone) break;
   }
   return true;
+}
+
+bool SwapValidity::operator()(const LevelGraph& graph, Index node, Index to) {
+  const Index from = hierarchy_.parent[node];
+  assert(from != kNone && from != to);
+  return is_swappable(graph, node) && is_valid_from(graph, node, from, to, 1);
+}
+
+bool SwapValidity::may_end(const LevelGraph& graph, Index node, Index to) {
+  const Index from = hierarchy_.parent[node];
+  assert(children_.first_child(from) == node && children_.next_sibling(node) == kNone && from != to);
+  if (!is_swappable(graph, node)) return false;
+  if (topology_ == Topology::kPreserve
+          ? !find_runs(graph, node, 1) || !keeps_contacts(graph, node, from, to, 1) ||
+                (runs_.size() <= 3 && !touches_beyond_runs(graph, to, node))
+          : !is_beside(graph, node, to, 1))
+    return false;
+  return is_valid_from(graph, node, hierarchy_.parent[from], hierarchy_.parent[to], 2);
+}
+
+bool SwapValidity::may_found(const LevelGraph& graph, Index node) {
+  const Index from = hierarchy_.parent[node];
+  if (topology_ == Topology::kFree) return keeps_connection(graph, node, from, 1);
+  return is_swappable(graph, node) && find_runs(graph, node, 1) && runs_.size() >= 3 &&
+         std::find(runs_.begin(), runs_.end(), from) != runs_.end();
 }
 
 }  // namespace limber

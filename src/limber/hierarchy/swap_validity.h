@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which swaps are allowed (Kircher & Garland 2005, sections 4.2 and 4.3).
+// Which swaps are allowed (Kircher & Garland 2005, sections 4.2 and 4.3), and which births and deaths of clusters.
 #pragma once
 
 #include "limber/contract/contract.h"
@@ -21,9 +21,21 @@ class SwapValidity {
   // Precondition: `to` lies one level above node and is not its parent.
   bool operator()(const LevelGraph& graph, Index node, Index to);
 
+  // The same where `node` is all that its cluster has, which ends by that.
+  bool may_end(const LevelGraph& graph, Index node, Index to);
+
+  // Whether `node` may leave its cluster and be a new one, with the parent of the old one.
+  bool may_found(const LevelGraph& graph, Index node);
+
  private:
+  bool is_swappable(const LevelGraph& graph, Index node) const;
+  bool is_valid_from(const LevelGraph& graph, Index node, Index from, Index to, Index levels_up);
+  bool find_runs(const LevelGraph& graph, Index node, Index levels_up);
   bool keeps_homeomorphism(const LevelGraph& graph, Index node, Index from, Index to, Index levels_up);
-  bool keeps_connection(const LevelGraph& graph, Index node, Index from, Index to, Index levels_up);
+  bool touches_beyond_runs(const LevelGraph& graph, Index cluster, Index except) const;
+  bool keeps_contacts(const LevelGraph& graph, Index node, Index from, Index to, Index levels_up);
+  bool keeps_connection(const LevelGraph& graph, Index node, Index from, Index levels_up);
+  bool is_beside(const LevelGraph& graph, Index node, Index cluster, Index levels_up) const;
   bool are_joined(const LevelGraph& graph, Index cluster, Index other, Index levels_up, Index except) const;
   Index ancestor(Index node, Index levels_up) const {
     for (; levels_up > 0; --levels_up) node = hierarchy_.parent[node];
@@ -36,7 +48,7 @@ class SwapValidity {
   const Hierarchy& hierarchy_;
   const ChildLists& children_;
   Topology topology_;
-  std::vector<Index> runs_;     // scratch: labels around the node, one for each run
+  std::vector<Index> runs_;     // scratch: labels around the node, one for each run; kNone is the outside
   std::vector<Index> reached_;  // scratch of the search for connection
   std::vector<Index> mark_;
   Index stamp_ = 0;
