@@ -207,6 +207,99 @@ void swap_at_random(const Shape& shape, Hierarchy h, Topology topology, int roun
   }
 }
 
+// Random deaths of clusters, each followed by a birth, so that no cluster stays empty; those that are allowed are made.
+void rebear_at_random(const Shape& shape, Hierarchy h, Topology topology, int rounds, std::uint64_t seed, Tally& tally) {
+  Validator validator(shape.mesh, topology);
+  ChildLists clusters(h);
+  SwapValidity is_valid(h, clusters, topology);
+  Random random(seed);
+  const auto move = [&](Index node, Index to) {
+    clusters.move(node, h.parent[node], to);
+    h.parent[node] = to;
+  };
+  const auto is_last = [&](Index node) {
+    return clusters.first_child(h.parent[node]) == node && clusters.next_sibling(node) == kNone;
+  };
+  for (int round = 0; round < rounds; ++round) {
+    const Index level = random.below(h.level_count() - 1);
+    const LevelGraph graph = test::graph_of(shape.mesh, h, level, topology == Topology::kFree);
+    const auto any = [&] { return h.level_begin[level] + random.below(h.level_size(level)); };
+    const Index dying = any();
+    const auto around = graph.around(dying);
+    if (around.empty() || !is_last(dying)) continue;
+    const Index from = h.parent[dying], to = h.parent[around[random.below(static_cast<Index>(around.size()))]];
+    if (from == to) continue;
+    const Hierarchy before = h;
+    const bool may_end = is_valid.may_end(graph, dying, to);
+    ++(may_end ? tally.allowed : tally.refused);
+    move(dying, to);
+    for (int tries = 0; tries < 60; ++tries) {
+      const Index founder = any(), old = h.parent[founder];
+      if (is_last(founder) || founder == dying) continue;
+      // After a death that is not valid any birth will do: where it is valid, the level is as sound as without both.
+      const bool may_found = is_valid.may_found(graph, founder);
+      if (h.parent[from] != h.parent[old]) move(from, h.parent[old]);
+      move(founder, from);
+      const auto violation = validator(h);
+      if (may_end && may_found) {
+        ASSERT_FALSE(violation) << "round " << round << ": " << dying << " to " << to << ", " << founder << " from "
+                                << old << ": " << violation->line();
+      }
+      tally.refused_but_sound += may_end != may_found && !violation;
+      if (may_end && may_found) break;
+      move(founder, old);
+      if (h.parent[from] != before.parent[from]) move(from, before.parent[from]);
+    }
+    if (clusters.first_child(from) == kNone) {
+      move(dying, from);
+      ASSERT_EQ(h, before);
+    }
+  }
+}
+
+TEST(SwapValidity, KeepsEveryLevelHomeomorphicThroughRandomDeathsAndBirths) {
+  const Shape shapes[] = {test::sphere(1),
+                          test::jittered(test::sphere(3), 0.1f, 1),
+                          test::torus(7, 11),
+                          test::waved(test::sheet(12, 9)),
+                          test::waved(test::sheet_with_hole(13, 13)),
+                          test::together(test::sphere(2), test::sheet(7, 7), 4)};
+  for (const Topology topology : kBoth) {
+    Tally tally;
+    std::uint64_t seed = 1;
+    for (const Shape& shape : shapes)
+      for (const double branching : {1.3, 2.0})
+        ASSERT_NO_FATAL_FAILURE(
+            rebear_at_random(shape, test::built(shape, branching, topology), topology, 400, ++seed, tally))
+            << seed;
+    EXPECT_GT(tally.allowed, 200);
+    if (topology == Topology::kPreserve) EXPECT_GT(tally.refused, 100);
+  }
+}
+
+TEST(SwapValidity, LetsTheLastOfAClusterEndItBesideAnyOtherOnAStraightBoundary) {
+  const Drawing drawing({"aaabbb", "aacbbb", "aaabbb"});
+  const Index c = drawing.swap(2, 1, 'a').node;
+  const ChildLists clusters(drawing.hierarchy);
+  const LevelGraph graph = test::graph_of(drawing.mesh, drawing.hierarchy, 0, false);
+  SwapValidity is_valid(drawing.hierarchy, clusters, Topology::kFree);
+  EXPECT_FALSE(is_valid(graph, c, test::drawn_node(drawing.rows, 'a'))) << "as a swap it leaves an empty cluster";
+  EXPECT_TRUE(is_valid.may_end(graph, c, test::drawn_node(drawing.rows, 'a')));
+  EXPECT_TRUE(is_valid.may_end(graph, c, test::drawn_node(drawing.rows, 'b')));
+}
+
+TEST(SwapValidity, RefusesToFoundAClusterThatWouldHaveOnlyTwoNeighbours) {
+  // Inside a cluster: a corner of the level needs three.
+  const Drawing drawing({"aaaab", "aaaab", "aaaab", "aaacc"});
+  const ChildLists clusters(drawing.hierarchy);
+  const LevelGraph graph = test::graph_of(drawing.mesh, drawing.hierarchy, 0, false);
+  SwapValidity is_valid(drawing.hierarchy, clusters, Topology::kPreserve);
+  EXPECT_FALSE(is_valid.may_found(graph, drawing.swap(1, 1, 'b').node)) << "all around it is a";
+  EXPECT_FALSE(is_valid.may_found(graph, drawing.swap(3, 1, 'b').node)) << "between two";
+  EXPECT_TRUE(is_valid.may_found(graph, drawing.swap(3, 2, 'b').node)) << "where three meet";
+  EXPECT_TRUE(is_valid.may_found(graph, drawing.swap(3, 0, 'b').node)) << "between two on the border";
+}
+
 TEST(SwapValidity, KeepsEveryLevelHomeomorphicThroughThousandsOfRandomSwaps) {
   const Shape shapes[] = {test::sphere(2),
                           test::jittered(test::sphere(3), 0.1f, 1),

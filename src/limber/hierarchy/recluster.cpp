@@ -22,6 +22,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "limber/base/portable_math.h"
 
@@ -101,26 +102,26 @@ double Reclusterer::fitted_growth() const {
   return growth >= kLeastGrowth && growth <= kMostGrowth ? growth : kPaperGrowth;
 }
 
-// The swap to the cluster that bears the node most easily, where it is valid and gains more than the least benefit; none:
-// node is kNone. Only this one is judged exactly.
+// The valid swap of the node that gains most, and more than the least benefit; none: node is kNone.
 Reclusterer::Candidate Reclusterer::best_swap(const LevelGraph& graph, Index node, double least_benefit) {
   const Candidate none{0, kNone, kNone};
   const Index from = clusters_.parent(node);
   if (clusters_.has_one_child(from)) return none;
-  targets_.clear();
+  candidates_of_node_.clear();
+  double least_burden = std::numeric_limits<double>::infinity();
   for (const Index n : graph.around(node)) {
     const Index to = clusters_.parent(n);
-    if (to == from || std::ranges::find(targets_, to, &Target::cluster) != targets_.end()) continue;
-    targets_.push_back({worth_.about_burden(clusters_.quadric(node), to), to});
+    if (to == from || std::ranges::find(candidates_of_node_, to, &Candidate::to) != candidates_of_node_.end()) continue;
+    candidates_of_node_.push_back({0, node, to});
+    least_burden = std::min(least_burden, worth_.about_burden(clusters_.quadric(node), to));
   }
-  if (targets_.empty()) return none;
-  std::ranges::sort(targets_, {}, &Target::burden);
-  if (!(worth_.about_release(node) - targets_.front().burden > kLikely * least_benefit)) return none;
+  if (!first_ && !(worth_.about_release(node) - least_burden > kLikely * least_benefit)) return none;
   const double release = worth_.release(node);
-  for (const Target& target : targets_) {
-    const double benefit = worth_.of_swap(node, target.cluster, release);
-    if (!(benefit > least_benefit)) return none;
-    if (is_valid_(graph, node, target.cluster)) return {benefit, node, target.cluster};
+  for (Candidate& c : candidates_of_node_) c.benefit = worth_.of_swap(node, c.to, release);
+  std::ranges::sort(candidates_of_node_, std::ranges::greater{}, &Candidate::benefit);
+  for (const Candidate& c : candidates_of_node_) {
+    if (!(c.benefit > least_benefit)) return none;
+    if (is_valid_(graph, node, c.to)) return c;
   }
   return none;
 }

@@ -83,11 +83,6 @@ class Reclusterer {
     Index node, to;
   };
 
-  struct Target {
-    double burden;
-    Index cluster;
-  };
-
   double fitted_growth() const;
   Candidate best_swap(const LevelGraph& graph, Index node, double least_benefit);
   void make_swaps(const LevelGraph& graph, double least_benefit);
@@ -113,7 +108,7 @@ class Reclusterer {
 
   LevelFit fit_;
 
-  std::vector<Target> targets_;        // scratch of best_swap()
+  std::vector<Candidate> candidates_of_node_;  // scratch of best_swap()
   std::vector<Candidate> candidates_;  // scratch of a pass
   std::vector<Index> pending_;         // nodes to look at in the next pass
   std::vector<Index> mark_;            // [node_count]: pending when == pass_

@@ -20,8 +20,7 @@ double Worth::without(const Quadric& q, Index cluster) const {
   return clusters_.energy(cluster) - minimum(clusters_.quadric(cluster) - q).value;
 }
 
-// By how much it grows with a quadric that is not.
-double Worth::with(const Quadric& q, Index cluster) const {
+double Worth::burden(const Quadric& q, Index cluster) const {
   if (benefit_ == Benefit::kFixed) return q(clusters_.minimum_at(cluster));
   return minimum(clusters_.quadric(cluster) + q).value - clusters_.energy(cluster);
 }
@@ -30,19 +29,19 @@ double Worth::release(Index node) const { return without(clusters_.quadric(node)
 
 double Worth::of_swap(Index node, Index to, double release) const {
   const Quadric& q = clusters_.quadric(node);
-  double sum = release - with(q, to), weight = 1;
+  double sum = release - burden(q, to), weight = 1;
   Index from = clusters_.parent(node);
   Index level = clusters_.hierarchy().level_of(from);
   while (true) {
     from = clusters_.parent(from), to = clusters_.parent(to);
     if (from == to) return sum;
     weight *= level_weight_[++level];
-    sum += weight * (without(q, from) - with(q, to));
+    sum += weight * (without(q, from) - burden(q, to));
   }
 }
 
 double Worth::of_death(Index cluster, Index heir) const {
-  const double worth = clusters_.energy(cluster) - with(clusters_.quadric(cluster), heir);
+  const double worth = clusters_.energy(cluster) - burden(clusters_.quadric(cluster), heir);
   const Index to = clusters_.parent(heir);
   if (clusters_.parent(cluster) == to) return worth;
   return worth + level_weight_[clusters_.hierarchy().level_of(to)] * of_swap(cluster, to);

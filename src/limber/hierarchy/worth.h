@@ -32,9 +32,11 @@ class Worth {
   // By how much the error of the node's cluster falls without it.
   double release(Index node) const;
 
-  // Estimates for about a fifth of the time, to choose what is worth being judged exactly: of release(), and of what the
-  // error of another cluster grows by with a quadric. They are exact where quadrics are distances to points, as in
-  // Hartigan's rule for k-means: a cluster's minimum moves by the share that comes or goes.
+  // By how much the error of another cluster grows with a quadric.
+  double burden(const Quadric& quadric, Index cluster) const;
+
+  // Estimates of both for about a fifth of the time, to choose what is worth being judged exactly: where quadrics are
+  // distances to points, a cluster's minimum moves by the share that comes or goes (Hartigan's rule for k-means).
   double about_release(Index node) const {
     const Quadric &q = clusters_.quadric(node), &all = clusters_.quadric(clusters_.parent(node));
     const double whole = trace(all), rest = std::max(whole - trace(q), 1e-3 * whole);
@@ -51,7 +53,6 @@ class Worth {
  private:
   static double trace(const Quadric& q) { return q.xx + q.yy + q.zz; }
   double without(const Quadric& quadric, Index cluster) const;
-  double with(const Quadric& quadric, Index cluster) const;
 
   const Clustering& clusters_;
   Benefit benefit_;
