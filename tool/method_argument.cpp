@@ -124,6 +124,12 @@ void declare_method(CLI::App& app, MethodArgument& argument) {
       ->check(CLI::Range(0u, 100u))
       ->capture_default_str()
       ->group(group);
+  app.add_option("--blend", options.blend,
+                 "blend each change between frames over so many frames, with more vertices meanwhile; 0: not at all")
+      ->type_name("N")
+      ->check(CLI::Range(0u, 1000u))
+      ->capture_default_str()
+      ->group(group);
   app.add_option("--coarser-weight", options.coarser_weight, "of the errors of coarser levels")
       ->check(CLI::Range(1e-9, 1e9))
       ->capture_default_str()

@@ -125,7 +125,7 @@ Result<void> Playing::run(Times& times, Progress& progress, std::uint32_t frames
   if (Result<void> decoded = decoder_.decode(0, state_); !decoded) return decoded;
   Cut cut(mesh, state_.hierarchy, {.by = CutBy::kVertices, .budget = vertex_count_});
   cut.update(mesh, state_);
-  list_triangles(mesh, cut, list_);
+  list_triangles(mesh, cut.labels(), list_);
   for (std::uint32_t frame = 1; frame < decoder_.available_frames(); ++frame) {
     Stopwatch watch;
     if (Result<void> decoded = decoder_.decode_hierarchy(frame, state_); !decoded) return decoded;
@@ -134,7 +134,7 @@ Result<void> Playing::run(Times& times, Progress& progress, std::uint32_t frames
     times.positions.push_back(watch.lap());
     cut.update(mesh, state_);
     times.cut.push_back(watch.lap());
-    list_triangles(mesh, cut, list_);
+    list_triangles(mesh, cut.labels(), list_);
     times.list.push_back(watch.lap());
     std::copy_n(state_.positions.begin(), copy_.size(), copy_.begin());
     times.copy.push_back(watch.lap());

@@ -41,6 +41,7 @@ struct MethodOptions {
   double coarser_weight = 0.2;
   double threshold = 0.05;
   FitOptions fit{};
+  Index blend = 0;  // over how many frames a change is blended (limber/view/blend.h), beyond the size asked for
 
   FeatureOptions feature{};
 

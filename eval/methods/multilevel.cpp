@@ -45,7 +45,7 @@ class Multilevel final : public Method {
                                      .coarser_weight = options_.coarser_weight,
                                      .threshold = options_.threshold,
                                      .fit = options_.fit};
-    follower_.emplace(mesh, build_hierarchy(mesh, seen, build), recluster, cut_to_size(options_));
+    follower_.emplace(mesh, build_hierarchy(mesh, seen, build), recluster, cut_to_size(options_), options_.blend);
   }
 
   void frame(std::span<const Vec3f> positions, Approximation& out) override { follower_->frame(positions, out); }
