@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Geomorphs (Hoppe, "Progressive meshes", 1996, section 3.2) between the frames of a clip: what moves from one active
-// node to another goes there over a few frames.
-// Part of the player: standard library only.
+// Geomorphs (Hoppe, "Progressive meshes", 1996, section 3.2) between the frames of a clip: what goes from one active
+// node to another gets there over a few frames. Part of the player: standard library only.
 //
-//   frame        t - 1            t              t + 1           t + 2
+//   a finest vertex v whose label becomes b in place of a, with options.frames = 3:
 //
-//   label of v     a              m                m               b        two extra frames, options.frames = 3
-//               a     b        a     b         a      b        a     b
-//   drawn at    v              . v             .    v                v      m is at 1/3, then 2/3 of the way
+//   frame            t - 1        t        t + 1      t + 2
+//   v is drawn as      a          m          m          b        m: a moving vertex beside the nodes
+//   m stands at                a--m--b    a---m-b                1/3 and 2/3 of the way, wherever a and b are by then
 #pragma once
 
 #include <array>
@@ -28,16 +27,15 @@ struct BlendOptions {
 };
 
 // A cut labels every finest vertex with its active node. Those that go together from a label a to a label b, because
-// they moved, or because nodes were expanded or contracted, are drawn as a moving vertex of their own until they have
-// arrived. In the k-th of N frames it is at (1 - k/N) x_a + k/N x_b, with x_a and x_b as they are in that frame: of no
-// way (k = 0) the surface is that of the labels before, at the end that of the labels now. In between it is the image
-// of the same finest mesh, without cracks. What turns off on its way goes on from where it is: from a mean of nodes,
-// whose weights stay. A node that lost all it stood for, and may stand for something else by now, is replaced by where
-// it was, carried along by a finest vertex of those that move.
+// they moved or because nodes were expanded or contracted, are drawn as a moving vertex of their own until they arrive.
+// In the k-th of N frames it stands at (1 - k/N) x_a + k/N x_b, with x_a and x_b of that frame. At k = 0 the surface
+// would be that of the labels before, at k = N it is that of the labels now, and in between an image of the same finest
+// mesh, without cracks. What turns off on its way goes on from where it stands: from a mean of nodes, whose weights it
+// keeps. A node that lost all it stood for, and whose number may stand for something else by now, is replaced by where
+// it was, carried along by one of the finest vertices that move. Where the triangles would be the same with the group
+// at its new label as at its old one, as where a swap only moves the border between two clusters, it is there at once.
 //
-// Where the triangles of the cut are the same without the group as with it, it is not drawn on its way: most swaps only
-// move the border between two clusters. At N = 4 a level of 800 vertices of a galloping horse has a tenth more
-// vertices.
+// A blend shows more vertices than a vertex budget allows the cut: on a galloping horse of 800, a tenth more at N = 4.
 class Blend {
  public:
   // `hierarchy` is any frame's of the clip: level sizes do not change. Precondition: mesh and hierarchy are those of
