@@ -45,9 +45,9 @@ class Blend {
   const BlendOptions& options() const { return options_; }
 
   // Makes the blend of this frame. Changes are on their way while each frame is the one after the frame before and
-  // the cut's options stay as they are. Where they do not, and where more than half of the finest vertices change
-  // their labels at once (a hierarchy that begins anew), the cut is shown as it is. The same frame again, with the
-  // same cut, changes nothing. Allocates only where there have not been as many changes before.
+  // the cut's options, but for their hysteresis, stay as they are. Where they do not, and where more than half of the
+  // finest vertices change their labels at once (a hierarchy that begins anew), the cut is shown as it is. The same
+  // frame again, with the same cut, changes nothing. Allocates only where there have not been as many changes before.
   // Precondition: cut.update(mesh, state) was the last call on the cut.
   void update(const FrameState& state, const Cut& cut);
 
