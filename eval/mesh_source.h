@@ -46,7 +46,8 @@ Result<std::unique_ptr<MeshSource>> open_meshes(std::string_view specification, 
 std::unique_ptr<MeshSource> meshes_of(std::unique_ptr<ClipReader> clip);
 
 // A cut through every frame of a stream file between options.first and options.last; without one the finest level.
+// `blend`: over how many frames a change is blended.
 Result<std::unique_ptr<MeshSource>> open_stream_meshes(std::string_view path, const std::optional<CutOptions>& cut,
-                                                       const ClipOptions& options);
+                                                       const ClipOptions& options, Index blend = 0);
 
 }  // namespace limber::eval

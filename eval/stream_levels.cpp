@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "eval/stream_levels.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "eval/surface.h"
@@ -24,14 +25,35 @@ Result<std::unique_ptr<StreamLevels>> StreamLevels::open(const std::filesystem::
   return levels;
 }
 
-void StreamLevels::choose(const std::optional<CutOptions>& cut) {
+void StreamLevels::choose(const std::optional<CutOptions>& cut, Index blend) {
   cut_.emplace(mesh(), state().hierarchy, cut.value_or(CutOptions{.by = CutBy::kLevel, .level = 0}));
+  blend_.reset();
+  shown_ = kNone;
+  if (blend > 1) blend_.emplace(mesh(), state().hierarchy, BlendOptions{.frames = blend});
+}
+
+Result<void> StreamLevels::show(std::uint32_t frame) {
+  if (const Result<void> found = player_.seek(frame); !found) return located(found.error());
+  cut_->update(mesh(), state());
+  if (blend_) blend_->update(state(), *cut_);
+  shown_ = frame;
+  return {};
 }
 
 Result<void> StreamLevels::go_to(std::uint32_t frame) {
-  if (const Result<void> found = player_.seek(frame); !found) return located(found.error());
-  cut_->update(mesh(), state());
-  extract(mesh(), state(), *cut_, scratch_, buffers_, {.whole_input = true});
+  std::uint32_t first = frame;
+  if (blend_) {
+    first -= std::min(frame, blend_->options().frames);
+    if (shown_ < frame) first = std::max(first, shown_ + 1);
+  }
+  for (std::uint32_t on_the_way = first; on_the_way <= frame; ++on_the_way) {
+    if (const Result<void> shown = show(on_the_way); !shown) return shown;
+  }
+  if (blend_) {
+    extract(mesh(), *blend_, scratch_, buffers_, {.whole_input = true});
+  } else {
+    extract(mesh(), state(), *cut_, scratch_, buffers_, {.whole_input = true});
+  }
   return {};
 }
 

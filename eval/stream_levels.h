@@ -9,6 +9,7 @@
 #include <string>
 
 #include "limber/base/result.h"
+#include "limber/view/blend.h"
 #include "limber/view/cut.h"
 #include "limber/view/extract.h"
 #include "limber/view/player.h"
@@ -21,8 +22,9 @@ class StreamLevels {
   // is whole.
   static Result<std::unique_ptr<StreamLevels>> open(const std::filesystem::path& path);
 
-  // How the frames are cut from now on; nothing: at the finest level.
-  void choose(const std::optional<CutOptions>& cut);
+  // How the frames are cut from now on; nothing: at the finest level. `blend`: over how many frames a change is
+  // blended (limber/view/blend.h).
+  void choose(const std::optional<CutOptions>& cut, Index blend = 0);
 
   const Mesh& mesh() const { return player_.mesh(); }
   const StreamHeader& header() const { return player_.header(); }
@@ -33,7 +35,8 @@ class StreamLevels {
   std::optional<std::uint32_t> frame_count() const { return player_.frame_count(); }
 
   // Makes the level of detail of a frame, counted from 0. Precondition: frame < available_frames().
-  // With hysteresis it depends on the frame gone to before.
+  // With hysteresis it depends on the frame gone to before. With a blend it is as when playing to it: the frames since
+  // the one gone to before, or as many as a change takes, are gone through.
   Result<void> go_to(std::uint32_t frame);
 
   // Preconditions of all that follow: go_to() succeeded.
@@ -49,11 +52,14 @@ class StreamLevels {
  private:
   explicit StreamLevels(std::string name) : name_(std::move(name)) {}
   Error located(const Error& error) const;
+  Result<void> show(std::uint32_t frame);
 
   std::string name_;
   std::string bytes_;
   Player player_;
   std::optional<Cut> cut_;
+  std::optional<Blend> blend_;   // where changes are blended
+  std::uint32_t shown_ = kNone;  // the last frame cut; kNone before the first
   ExtractScratch scratch_;
   MeshBuffers buffers_;
 };

@@ -100,7 +100,7 @@ Result<std::optional<double>> take_pictures_of(const Arguments& arguments, const
   const bool fits_clip = arguments.picture.fit == Fit::kClip || (arguments.picture.fit == Fit::kSuitable && many);
   if (fits_clip) space.options = {};
   const PictureJob job{.options = arguments.picture.options,
-                       .open_level = [&] { return open_any_meshes(arguments.stream, cut); },
+                       .open_level = [&] { return open_any_meshes(arguments.stream, cut, arguments.level.blend); },
                        .open_original = [&] { return open_any_meshes(original); },
                        .open_space = [&] { return open_any_meshes(space); }};
   const Result<TakenPictures> taken = take_pictures(job, arguments.output, console);
@@ -133,6 +133,7 @@ void report(const Arguments& arguments, const std::optional<CutOptions>& cut, st
                  {{"input", arguments.stream.specification},
                   {"output", arguments.output.path.empty() ? Json(nullptr) : Json(arguments.output.path)},
                   {"asked", describe_json(cut)},
+                  {"blend", arguments.level.blend},
                   {"unit", "percent of the diagonal of the frame's bounding box"},
                   {"error_range", error_range ? Json(*error_range) : Json(nullptr)},
                   {"frames", list}});
@@ -179,7 +180,7 @@ Result<Exit> extract_verb(Arguments arguments, Console& console) {
                  levels.available_frames(), *promised);
 
   const std::optional<CutOptions> cut = cut_options(arguments.level, !many);
-  levels.choose(cut);
+  levels.choose(cut, arguments.level.blend);
   std::optional<double> error_range;
   const bool pictures = is_picture(path);
   if (pictures) {

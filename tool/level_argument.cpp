@@ -17,6 +17,11 @@ void declare_level(CLI::App& app, LevelArgument& argument) {
                  "how many times better a change between frames must be; 1 makes every frame by itself "
                  "(1.25 for several frames, 1 for one)")
       ->type_name("H");
+  app.add_option("--blend", argument.blend,
+                 "blend each change between frames over so many frames, with more vertices meanwhile; 0: not at all")
+      ->type_name("N")
+      ->check(CLI::Range(0u, 1000u))
+      ->capture_default_str();
 }
 
 std::optional<CutOptions> cut_options(const LevelArgument& argument, bool single_frame) {

@@ -17,9 +17,10 @@ struct LevelArgument {
   std::optional<Index> level;
   std::optional<float> error;
   std::optional<float> hysteresis;
+  Index blend = 0;
 };
 
-// --vertices, --triangles, --level, --error and --hysteresis. `argument` must outlive the
+// --vertices, --triangles, --level, --error, --hysteresis and --blend. `argument` must outlive the
 // parsing.
 void declare_level(CLI::App& app, LevelArgument& argument);
 

@@ -117,6 +117,12 @@ void declare_method(CLI::App& app, MethodArgument& argument) {
       ->capture_default_str()
       ->group(group);
   declare_recluster(app, options.recluster, group);
+  app.add_option("--blend", options.blend,
+                 "blend each change between frames over so many frames, with more vertices meanwhile; 0: not at all")
+      ->type_name("N")
+      ->check(CLI::Range(0u, 1000u))
+      ->capture_default_str()
+      ->group(group);
   declare_feature(app, options.feature);
   app.add_option("--history", options.history,
                  "what a contraction costs of its price that leads to a node of the frame before; 1: no history")

@@ -11,14 +11,14 @@ namespace limber::tool {
 bool is_stream(std::string_view path) { return lower_case_extension(path) == ".limber"; }
 
 Result<std::unique_ptr<eval::MeshSource>> open_any_meshes(const ClipArgument& argument,
-                                                          const std::optional<CutOptions>& cut) {
+                                                          const std::optional<CutOptions>& cut, Index blend) {
   if (is_stream(argument.specification)) {
-    return eval::open_stream_meshes(argument.specification, cut, argument.options);
+    return eval::open_stream_meshes(argument.specification, cut, argument.options, blend);
   }
-  if (cut) {
+  if (cut || blend > 0) {
     throw UsageError(
         fmt::format("only a .limber stream has levels of detail, and {} is none; leave out --vertices, "
-                    "--triangles, --level and --error",
+                    "--triangles, --level, --error and --blend",
                     argument.specification));
   }
   return eval::open_meshes(argument.specification, argument.options);

@@ -11,6 +11,7 @@
 #include "limber/clip/input_file.h"
 #include "limber/clip/output_file.h"
 #include "limber/stream/decoder.h"
+#include "limber/view/blend.h"
 #include "limber/view/cut.h"
 #include "limber/view/triangle_list.h"
 #include "tool/output_argument.h"
@@ -26,13 +27,15 @@ struct Arguments {
   std::string file;
   Index vertex_count = 800;
   std::uint32_t repeat_count = 1;
+  Index blend = 0;
   OutputArgument output;  // of a chart; no path: none
 };
 
 // Milliseconds of every step played: [repetitions x frames after the first].
 struct Times {
   std::vector<double> hierarchy, cut, list;  // decoding swaps; choosing the nodes; listing their triangles
-  std::vector<double> update;                // these three together
+  std::vector<double> blend;                 // blending the changes between frames, where asked for
+  std::vector<double> update;                // all of these together
   std::vector<double> positions;             // decoding positions and errors of all nodes
   std::vector<double> copy;                  // copying the positions of the finest vertices, for comparison
 };
@@ -78,6 +81,7 @@ std::string update_chart(const Times& times, std::size_t repeat_count, std::uint
   add("update", times.update);
   add("hierarchy", times.hierarchy);
   add("cut", times.cut);
+  if (!times.blend.empty()) add("blend", times.blend);
   add("triangles", times.list);
   return eval::standalone(eval::draw_frame_chart(chart, eval::Room::kWide));
 }
@@ -99,7 +103,8 @@ class Stopwatch {
 
 class Playing {
  public:
-  Playing(Decoder decoder, Index vertex_count) : decoder_(std::move(decoder)), vertex_count_(vertex_count) {
+  Playing(Decoder decoder, Index vertex_count, Index blend)
+      : decoder_(std::move(decoder)), vertex_count_(vertex_count), blend_frames_(blend) {
     decoder_.prepare(state_);
     copy_.resize(decoder_.mesh().vertex_count);
   }
@@ -113,7 +118,7 @@ class Playing {
 
  private:
   Decoder decoder_;
-  Index vertex_count_;
+  Index vertex_count_, blend_frames_;
   FrameState state_;
   TriangleList list_;
   std::vector<Vec3f> copy_;  // [vertex_count of the mesh]
@@ -125,7 +130,12 @@ Result<void> Playing::run(Times& times, Progress& progress, std::uint32_t frames
   if (Result<void> decoded = decoder_.decode(0, state_); !decoded) return decoded;
   Cut cut(mesh, state_.hierarchy, {.by = CutBy::kVertices, .budget = vertex_count_});
   cut.update(mesh, state_);
-  list_triangles(mesh, cut, list_);
+  std::optional<Blend> blend;
+  if (blend_frames_ > 1) {
+    blend.emplace(mesh, state_.hierarchy, BlendOptions{.frames = blend_frames_});
+    blend->update(state_, cut);
+  }
+  list_triangles(mesh, cut.labels(), list_);
   for (std::uint32_t frame = 1; frame < decoder_.available_frames(); ++frame) {
     Stopwatch watch;
     if (Result<void> decoded = decoder_.decode_hierarchy(frame, state_); !decoded) return decoded;
@@ -134,11 +144,16 @@ Result<void> Playing::run(Times& times, Progress& progress, std::uint32_t frames
     times.positions.push_back(watch.lap());
     cut.update(mesh, state_);
     times.cut.push_back(watch.lap());
-    list_triangles(mesh, cut, list_);
+    if (blend) {
+      blend->update(state_, cut);
+      times.blend.push_back(watch.lap());
+    }
+    list_triangles(mesh, blend ? blend->labels() : cut.labels(), list_);
     times.list.push_back(watch.lap());
     std::copy_n(state_.positions.begin(), copy_.size(), copy_.begin());
     times.copy.push_back(watch.lap());
-    times.update.push_back(times.hierarchy.back() + times.cut.back() + times.list.back());
+    times.update.push_back(times.hierarchy.back() + times.cut.back() + times.list.back() +
+                           (blend ? times.blend.back() : 0));
     if (!progress.update(frames_done + frame + 1)) return Error{ErrorCode::kCancelled, "", "interrupted"};
   }
   active_count_ = cut.vertex_count();
@@ -162,7 +177,7 @@ Result<Exit> play(const Arguments& arguments, Console& console) {
   const std::uint32_t frame_count = decoder->available_frames();
   if (frame_count == 0)
     return Error{ErrorCode::kTruncated, file->name(), "ends before its first frame is whole; copy it again"};
-  Playing playing(std::move(*decoder), arguments.vertex_count);
+  Playing playing(std::move(*decoder), arguments.vertex_count, arguments.blend);
   Times times;
   Progress progress(console, "playing", std::uint64_t{frame_count} * arguments.repeat_count);
   for (std::uint32_t i = 0; i < arguments.repeat_count; ++i) {
@@ -189,6 +204,7 @@ Result<Exit> play(const Arguments& arguments, Console& console) {
                {"vertices", mesh.vertex_count},
                {"repeat", arguments.repeat_count},
                {"asked_vertices", arguments.vertex_count},
+               {"blend", arguments.blend},
                {"cut_vertices", playing.vertex_count()},
                {"cut_triangles", playing.triangle_count()}};
   const auto row = [&](const char* label, const char* name, const std::vector<double>& values) {
@@ -199,6 +215,7 @@ Result<Exit> play(const Arguments& arguments, Console& console) {
   row("update: hierarchy, cut, triangles", "update", times.update);
   row("  hierarchy", "hierarchy", times.hierarchy);
   row("  cut", "cut", times.cut);
+  if (!times.blend.empty()) row("  blend", "blend", times.blend);
   row("  triangles", "triangles", times.list);
   row("positions", "positions", times.positions);
   row("a plain copy of the positions", "copy", times.copy);
@@ -221,6 +238,10 @@ Action declare_play(CLI::App& app) {
       ->capture_default_str();
   app.add_option("--repeat", arguments->repeat_count, "play so many times; a frame's time is the median of its times")
       ->check(in_range(1, 10000))
+      ->type_name("N")
+      ->capture_default_str();
+  app.add_option("--blend", arguments->blend, "blend each change between frames over so many frames; 0: not at all")
+      ->check(CLI::Range(0u, 1000u))
       ->type_name("N")
       ->capture_default_str();
   declare_output(app, arguments->output, "a chart of the update of every frame: update.svg", false);

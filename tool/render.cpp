@@ -53,7 +53,7 @@ Result<Exit> render(Arguments arguments, Console& console) {
   const std::optional<CutOptions> cut = cut_options(arguments.level, !many);
   const bool fits_clip = arguments.picture.fit == Fit::kClip || (arguments.picture.fit == Fit::kSuitable && many);
   const PictureJob job{.options = arguments.picture.options,
-                       .open_level = [&] { return open_any_meshes(shown, cut); },
+                       .open_level = [&] { return open_any_meshes(shown, cut, arguments.level.blend); },
                        .open_original = [&] { return open_any_meshes(original); },
                        .open_space = [&] { return open_any_meshes(fits_clip ? whole : shown); }};
   const Result<TakenPictures> taken = take_pictures(job, arguments.output, console);

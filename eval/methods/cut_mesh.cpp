@@ -5,13 +5,20 @@
 
 namespace limber::eval {
 
-CutMesh::CutMesh(const Mesh& mesh, const Hierarchy& hierarchy, const CutOptions& cut)
-    : mesh_(mesh), cut_(mesh, hierarchy, cut) {}
+CutMesh::CutMesh(const Mesh& mesh, const Hierarchy& hierarchy, const CutOptions& cut, Index blend)
+    : mesh_(mesh), cut_(mesh, hierarchy, cut) {
+  if (blend > 1) blend_.emplace(mesh, hierarchy, BlendOptions{.frames = blend});
+}
 
 void CutMesh::frame(const FrameState& state, Approximation& out) {
   const ThreadTimer extracting;
   cut_.update(mesh_, state);
-  extract(mesh_, state, cut_, scratch_, buffers_);
+  if (blend_) {
+    blend_->update(state, cut_);
+    extract(mesh_, *blend_, scratch_, buffers_);
+  } else {
+    extract(mesh_, state, cut_, scratch_, buffers_);
+  }
   out.extract_seconds = extracting.seconds();
 
   out.positions = buffers_.positions;

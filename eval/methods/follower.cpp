@@ -5,8 +5,9 @@
 
 namespace limber::eval {
 
-Follower::Follower(const Mesh& mesh, Hierarchy base, const ReclusterOptions& recluster, const CutOptions& cut)
-    : reclusterer_(mesh, std::move(base), recluster), cut_mesh_(mesh, reclusterer_.hierarchy(), cut) {}
+Follower::Follower(const Mesh& mesh, Hierarchy base, const ReclusterOptions& recluster, const CutOptions& cut,
+                   Index blend)
+    : reclusterer_(mesh, std::move(base), recluster), cut_mesh_(mesh, reclusterer_.hierarchy(), cut, blend) {}
 
 void Follower::frame(std::span<const Vec3f> positions, Approximation& out) {
   const ThreadTimer adapting;
@@ -18,6 +19,7 @@ void Follower::frame(std::span<const Vec3f> positions, Approximation& out) {
   state_.positions.assign(reclusterer_.positions().begin(), reclusterer_.positions().end());
   state_.errors.assign(reclusterer_.errors().begin(), reclusterer_.errors().end());
   cut_mesh_.frame(state_, out);
+  ++state_.frame;
 }
 
 }  // namespace limber::eval

@@ -12,9 +12,9 @@ namespace limber::eval {
 class Follower {
  public:
   // The mesh must outlive the follower.
-  Follower(const Mesh& mesh, Hierarchy base, const ReclusterOptions& recluster, const CutOptions& cut);
+  Follower(const Mesh& mesh, Hierarchy base, const ReclusterOptions& recluster, const CutOptions& cut, Index blend = 0);
 
-  // Swaps, cut and triangles of the next frame. Nodes are those of the hierarchy.
+  // Swaps, cut and triangles of the next frame. As CutMesh::frame().
   void frame(std::span<const Vec3f> positions, Approximation& out);
 
  private:

@@ -38,6 +38,7 @@ struct MethodOptions {
   double branching = 8;
   std::vector<Index> level_sizes{};
   ReclusterOptions recluster{};  // its topology and quadrics are those of `contract`
+  Index blend = 0;  // over how many frames a change is blended (limber/view/blend.h), beyond the size asked for
 
   FeatureOptions feature{};
 

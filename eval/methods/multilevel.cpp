@@ -42,7 +42,7 @@ class Multilevel final : public Method {
     ReclusterOptions recluster = options_.recluster;
     recluster.topology = options_.contract.topology;
     recluster.quadrics = options_.contract.quadrics;
-    follower_.emplace(mesh, build_hierarchy(mesh, seen, build), recluster, cut_to_size(options_));
+    follower_.emplace(mesh, build_hierarchy(mesh, seen, build), recluster, cut_to_size(options_), options_.blend);
   }
 
   void frame(std::span<const Vec3f> positions, Approximation& out) override { follower_->frame(positions, out); }

@@ -95,6 +95,22 @@ TEST_F(Methods, MultilevelFollowsTheClip) {
   EXPECT_LT(quadric_error(3, followed[3]), quadric_error(3, fixed[3]));
 }
 
+TEST_F(Methods, MultilevelCanBlendItsChanges) {
+  const std::vector<Approximation> plain = run("multilevel", {.vertices = 100});
+  const std::vector<Approximation> none = run("multilevel", {.vertices = 100, .blend = 1});
+  const std::vector<Approximation> blended = run("multilevel", {.vertices = 100, .blend = 3});
+  std::size_t more = 0;
+  for (std::size_t t = 0; t < frames_.size(); ++t) {
+    EXPECT_EQ(none[t].positions, plain[t].positions);
+    EXPECT_EQ(none[t].triangles, plain[t].triangles);
+    EXPECT_EQ(blended[t].clusters, plain[t].clusters) << "of the cut";
+    ASSERT_GE(blended[t].positions.size(), plain[t].positions.size());
+    more += blended[t].positions.size() - plain[t].positions.size();
+  }
+  EXPECT_EQ(blended[0].positions, plain[0].positions);
+  EXPECT_GT(more, 0u);
+}
+
 TEST_F(Methods, IndependentFramesDependOnTheirPositionsAlone) {
   for (const MethodInfo& info : methods()) {
     if (!info.frames_are_independent) continue;

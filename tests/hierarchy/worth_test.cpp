@@ -85,7 +85,7 @@ TEST(Worth, EstimatesAreExactForDistancesToPoints) {
   Clustering c(Hierarchy{{0, 6, 8}, {6, 6, 6, 7, 7, 7, kNone, kNone}});
   test::Random random(4);
   for (Quadric& q : c.finest_quadrics())
-    q.add_point({random.unit(), random.unit(), random.unit()}, 1 + random.unit());
+    q.add_point({random.unit(), random.unit(), random.unit()}, 1.5 + random.unit());
   c.weigh();
   const Worth worth(c, Benefit::kExact);
   for (Index v = 0; v < 3; ++v) {

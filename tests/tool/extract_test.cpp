@@ -89,6 +89,37 @@ TEST_F(ExtractVerb, ArgumentsThatMakeNoSenseAreRefused) {
   EXPECT_EQ(names(), std::vector<std::string>{"a.limber"});
 }
 
+TEST_F(ExtractVerb, BlendsChangesBetweenFrames) {
+  const std::string file = stream();
+  const auto extract = [&](const std::string& name, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"extract", file, "--level", "1", "--json", "-o", path(name)};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Ran ran = run(arguments);
+    EXPECT_EQ(ran.exit, Exit::kDone) << ran.err;
+    return ran.json();
+  };
+  const auto plain = extract("a%d.ply", {}), none = extract("b%d.ply", {"--blend", "0"});
+  const auto blended = extract("c%d.ply", {"--blend", "4"});
+  EXPECT_EQ(blended["blend"], 4);
+  Index more = 0;
+  for (int frame = 0; frame < static_cast<int>(plain["frames"].size()); ++frame) {
+    const std::string number = std::to_string(frame) + ".ply";
+    EXPECT_EQ(bytes(path("a" + number)), bytes(path("b" + number)));
+    ASSERT_GE(blended["frames"][frame]["vertices"], plain["frames"][frame]["vertices"]);
+    more += bytes(path("a" + number)) != bytes(path("c" + number));
+    extract("d.ply", {"--frame", std::to_string(frame), "--blend", "4", "--force"});
+    if (frame <= 4) {
+      EXPECT_EQ(bytes(path("d.ply")), bytes(path("c" + number))) << "it is gone to as when playing";
+    }
+  }
+  EXPECT_EQ(bytes(path("a0.ply")), bytes(path("c0.ply")));
+  EXPECT_GT(more, 2u);
+  extract("e%d.ply", {"--first", "3", "--blend", "4"});
+  EXPECT_EQ(bytes(path("e5.ply")), bytes(path("c5.ply")));
+  EXPECT_EQ(run({"measure", kSample, file, "--level", "1", "--blend", "3"}).exit, Exit::kDone);
+  EXPECT_EQ(run({"measure", kSample, kSample, "--blend", "3"}).exit, Exit::kUsage);
+}
+
 TEST_F(ExtractVerb, AStreamThatIsCutOffGivesItsWholeFrames) {
   const std::string whole = bytes(stream());
   write(path("b.limber"), whole.substr(0, whole.size() * 2 / 3));

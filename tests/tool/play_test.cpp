@@ -23,6 +23,14 @@ TEST_F(Play, ReportsTheTimesOfEveryStep) {
   }
 }
 
+TEST_F(Play, ReportsTheTimeOfABlendWhereThereIsOne) {
+  const std::string file = stream();
+  const auto json = run({"play", file, "--vertices", "100", "--blend", "3", "--json"}).json();
+  EXPECT_EQ(json["blend"], 3);
+  EXPECT_GT(json["milliseconds"]["blend"]["median"], 0.0);
+  EXPECT_FALSE(run({"play", file, "--vertices", "100", "--json"}).json()["milliseconds"].contains("blend"));
+}
+
 TEST_F(Play, DrawsTheUpdateOfEveryFrame) {
   const std::string file = stream();
   const Ran ran = run({"play", file, "--json", "-o", path("update.svg")});

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <set>
 
+#include "limber/view/cut.h"
 #include "tests/view/allocations.h"
 #include "tests/view/patches.h"
 
@@ -28,7 +29,7 @@ TriangleList list_level(const Mesh& mesh, const FrameState& state, Index level) 
   Cut cut(mesh, state.hierarchy, {.by = CutBy::kLevel, .level = level});
   cut.update(mesh, state);
   TriangleList list;
-  list_triangles(mesh, cut, list);
+  list_triangles(mesh, cut.labels(), list);
   return list;
 }
 
@@ -99,7 +100,7 @@ TEST(TriangleList, UsedAgainForEveryFrameIsWhatTheDefinitionSays) {
     for (int frame = 0; frame < 100; ++frame) {
       cut.set_options({.by = CutBy::kVertices, .budget = 20 + random.below(700)});
       cut.update(s.mesh, state);
-      list_triangles(s.mesh, cut, list);
+      list_triangles(s.mesh, cut.labels(), list);
       ASSERT_EQ(list.triangles, plain_list(s.mesh, cut));
       ASSERT_EQ(list.faces.size(), list.triangles.size());
       for (std::size_t i = 0; i < list.faces.size(); ++i) {
@@ -121,7 +122,7 @@ TEST(TriangleList, IsNoLongerThanATriangleBudget) {
       Cut cut(s.mesh, state.hierarchy, {.by = CutBy::kTriangles, .budget = budget});
       cut.update(s.mesh, state);
       TriangleList list;
-      list_triangles(s.mesh, cut, list);
+      list_triangles(s.mesh, cut.labels(), list);
       EXPECT_LE(list.triangles.size(), budget);
       EXPECT_GT(list.triangles.size(), budget * 3 / 4);
     }
@@ -135,14 +136,14 @@ TEST(TriangleList, DoesNotAllocateOnceItHasBeenAsLong) {
   Cut cut(s.mesh, state.hierarchy, {.by = CutBy::kLevel, .level = 0});
   TriangleList list;
   cut.update(s.mesh, state);
-  list_triangles(s.mesh, cut, list);
+  list_triangles(s.mesh, cut.labels(), list);
   cut.set_options({.by = CutBy::kVertices, .budget = 300});
   test::Random random(1);
   for (int frame = 0; frame < 20; ++frame) {
     test::deform(s.mesh, state, 60, random);
     cut.update(s.mesh, state);
     const std::size_t before = test::allocation_count();
-    list_triangles(s.mesh, cut, list);
+    list_triangles(s.mesh, cut.labels(), list);
     EXPECT_EQ(test::allocation_count(), before);
   }
 }

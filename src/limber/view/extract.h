@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a cut to a mesh ready to draw or to write.
+// From a cut, or a blend, to a mesh ready to draw or to write.
 // Part of the player: standard library only.
 #pragma once
 
@@ -9,6 +9,7 @@
 #include "limber/base/mesh.h"
 #include "limber/base/vec.h"
 #include "limber/stream/frame_state.h"
+#include "limber/view/blend.h"
 #include "limber/view/cut.h"
 #include "limber/view/mesh_buffers.h"
 #include "limber/view/triangle_list.h"
@@ -25,8 +26,10 @@ struct ExtractOptions {
 // Lives between frames so that nothing is allocated for each.
 struct ExtractScratch {
   TriangleList list;                  // of the last extract()
-  std::vector<Index> vertex_of_node;  // [node_count]: kNone where a node is no vertex of the buffers
+  std::vector<Index> vertex_of_node;  // [node_count], of a blend also moving vertices: kNone where one is no vertex
+                                      // of the buffers
   std::vector<Vec3d> normal_sums;     // [vertex_count of the buffers]
+  std::vector<Vec3d> taken_sums;      // [node_count], of a blend
 };
 
 // Fills the buffers with the triangles of list_triangles(), in the same order. A vertex's normal is the sum of its
@@ -34,6 +37,12 @@ struct ExtractScratch {
 // Allocates only where buffers and scratch have not been as large before.
 // Precondition: cut.update(mesh, state) was the last call on the cut.
 void extract(const Mesh& mesh, const FrameState& state, const Cut& cut, ExtractScratch& scratch, MeshBuffers& buffers,
+             const ExtractOptions& options = {});
+
+// The same of a blend, whose moving vertices come last, in the order of their numbers. Normals are blended as
+// positions are: while a moving vertex is where it began, or where it ends, it has one normal with the node that is
+// there. Precondition: blend.update(state, cut) has been called.
+void extract(const Mesh& mesh, const Blend& blend, ExtractScratch& scratch, MeshBuffers& buffers,
              const ExtractOptions& options = {});
 
 // The smooth normals of any triangle mesh, as above. `sums` is scratch.

@@ -56,8 +56,9 @@ bool is_first(Index a, Index b, Index c, Index number, const Triangle* triangles
 
 }  // namespace
 
-void list_triangles(const Mesh& mesh, const Cut& cut, TriangleList& list) {
-  const Index* labels = cut.labels().data();
+void list_triangles(const Mesh& mesh, std::span<const Index> label_of, TriangleList& list) {
+  assert(label_of.size() >= mesh.vertex_count);
+  const Index* labels = label_of.data();
   list.living.resize(mesh.triangles.size());
   const std::size_t living = keep_living(mesh, labels, list.living.data());
   list.triangles.resize(living);
