@@ -206,7 +206,8 @@ std::span<const Swap> Reclusterer::step(std::span<const Vec3f> positions) {
   for (auto level = static_cast<Index>(graphs_.size()); level-- > 0;)
     improve_level(level, first_ ? 0.0 : options_.threshold);
   place_all();
-  fit_.fit(vertex_quadrics_.areas(), quadrics_, options_.fit, minima_);
+  fitted_energies_ = energies_;
+  fit_.fit(vertex_quadrics_.areas(), quadrics_, options_.fit, minima_, fitted_energies_);
   first_ = false;
 
   swaps_.clear();
@@ -216,7 +217,7 @@ std::span<const Swap> Reclusterer::step(std::span<const Vec3f> positions) {
   const double unit_error = 1 / (scale_ * scale_);
   for (Index node = vertex_count; node < hierarchy_.node_count(); ++node) {
     positions_[node] = frame.from_unit(minima_[node]);
-    errors_[node] = static_cast<float>(std::sqrt(energies_[node]) * unit_error);
+    errors_[node] = static_cast<float>(std::sqrt(fitted_energies_[node]) * unit_error);
   }
   return swaps_;
 }
