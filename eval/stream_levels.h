@@ -45,7 +45,7 @@ class StreamLevels {
   // The input mesh as it was, with isolated vertices and degenerate triangles, at the finest level.
   const MeshBuffers& buffers() const { return buffers_; }
 
-  // What the quadrics say of the level's error: the root of the mean squared distance over the surface, in percent of
+  // What the stream's errors say of the level's: the root of the mean squared distance over the surface, in percent of
   // the diagonal of the frame's bounding box. 0 at the finest level.
   double estimated_error() const;
 

@@ -40,6 +40,7 @@ class Clustering {
   // [node_count] each; of the finest nodes the minima are their positions and the energies 0.
   std::span<const Quadric> quadrics() const { return quadrics_; }
   std::span<Vec3d> minima() { return minima_; }
+  std::span<const double> energies() const { return energies_; }
   const Quadric& quadric(Index node) const { return quadrics_[node]; }
   const Vec3d& minimum_at(Index node) const { return minima_[node]; }
   // The least error of the node's quadric.

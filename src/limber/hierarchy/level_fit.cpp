@@ -2,11 +2,12 @@
 // A least squares fit by closest points. Neither paper has it: theirs stand at the minima of their quadrics.
 //
 //   for each level, from fine to coarse; its samples are the nodes of a finer level, kSamplesPerNode times as many:
-//     repeat `rounds` times:
+//     repeat `rounds` times, the first time with every other sample:
 //       for every sample p of weight w, its area, in the cluster of node i:
 //         c = the closest point to p on the level's triangles around i; at its corners j it has the weights b_j
 //         r = p - c, d = r/|r|: small moves m_j of the nodes make the distance  (r - sum of b_j m_j).d
 //       move each node j to the minimum of  sum of w b_j ((r - m_j).d)^2 + anchor x its quadric
+//     draw back the nodes of triangles that have been turned over
 //
 // The weights b_j sum up to 1, so that the sum over the nodes bounds the squared distances from above (Jensen), and a
 // round lowers these without a step to choose. The quadric looks the other way, from the level to the finest surface:
@@ -15,11 +16,14 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace limber {
 namespace {
 
 constexpr Index kSamplesPerNode = 6;
+constexpr double kFacing = 0.7;  // the least length of the mean normal of a surface that faces one way
+constexpr int kHalvings = 3;     // before a node is drawn back for good
 
 // Counts to the ends of groups; what fills them from behind leaves the beginnings.
 void sums(std::vector<Index>& begin) {
@@ -27,23 +31,33 @@ void sums(std::vector<Index>& begin) {
   for (Index& b : begin) sum += b, b = sum;
 }
 
-double reciprocal(double x) { return x > 0 ? 1 / x : 0; }
+// Along the normal, twice the area long.
+Vec3d area_vector(const Triangle& t, std::span<const Vec3d> positions) {
+  return cross(positions[t[1]] - positions[t[0]], positions[t[2]] - positions[t[0]]);
+}
 
 }  // namespace
 
 LevelFit::LevelFit(const Mesh& mesh, const Hierarchy& hierarchy)
-    : mesh_(mesh), hierarchy_(hierarchy), areas_(hierarchy.node_count()) {}
+    : mesh_(mesh), hierarchy_(hierarchy), areas_(hierarchy.node_count()), area_vectors_(hierarchy.node_count()) {}
 
-void LevelFit::sum_areas(std::span<const double> vertex_areas) {
+void LevelFit::sum_clusters(std::span<const double> vertex_areas, std::span<const Vec3d> positions) {
   std::fill(std::copy(vertex_areas.begin(), vertex_areas.end(), areas_.begin()), areas_.end(), 0.0);
-  for (Index node = 0; node < hierarchy_.node_count(); ++node)
-    if (hierarchy_.parent[node] != kNone) areas_[hierarchy_.parent[node]] += areas_[node];
+  std::fill(area_vectors_.begin(), area_vectors_.end(), Vec3d{});
+  for (const Triangle& t : mesh_.triangles) {
+    const Vec3d v = area_vector(t, positions) * (1.0 / 6);
+    for (const Index vertex : t) area_vectors_[vertex] += v;
+  }
+  for (Index node = 0; node < hierarchy_.node_count(); ++node) {
+    const Index parent = hierarchy_.parent[node];
+    if (parent != kNone) areas_[parent] += areas_[node], area_vectors_[parent] += area_vectors_[node];
+  }
 }
 
 // From the level below: its triangles, and the fans that they make around its nodes.
 void LevelFit::go_up(Index level) {
-  first_ = hierarchy_.level_begin[level];
-  fan_begin_.assign(std::size_t{hierarchy_.level_size(level)} + 1, 0);
+  first_ = hierarchy_.level_begin[level], end_ = hierarchy_.level_begin[level + 1];
+  fan_begin_.assign(std::size_t{end_ - first_} + 1, 0);
   std::size_t kept = 0;
   for (const Triangle& t : triangles_) {
     const Triangle image{hierarchy_.parent[t[0]], hierarchy_.parent[t[1]], hierarchy_.parent[t[2]]};
@@ -54,8 +68,12 @@ void LevelFit::go_up(Index level) {
   triangles_.resize(kept);
   sums(fan_begin_);
   fans_.resize(3 * kept);
-  for (auto t = static_cast<Index>(kept); t-- > 0;)
-    for (const Index node : triangles_[t]) fans_[--fan_begin_[node - first_]] = t;
+  for (std::size_t t = kept; t-- > 0;) {
+    const auto [a, b, c] = triangles_[t];
+    fans_[--fan_begin_[a - first_]] = {b, c};
+    fans_[--fan_begin_[b - first_]] = {c, a};
+    fans_[--fan_begin_[c - first_]] = {a, b};
+  }
 }
 
 Index LevelFit::sample_level(Index level) const {
@@ -68,13 +86,17 @@ Index LevelFit::sample_level(Index level) const {
 void LevelFit::find_members(Index level) {
   const Index samples = sample_level(level);
   const Index begin = hierarchy_.level_begin[samples];
-  clusters_.resize(hierarchy_.level_size(samples));
-  member_begin_.assign(std::size_t{hierarchy_.level_size(level)} + 1, 0);
-  for (std::size_t i = 0; i < clusters_.size(); ++i) {
-    auto node = static_cast<Index>(begin + i);
-    for (Index up = samples; up < level; ++up) node = hierarchy_.parent[node];
-    clusters_[i] = node;
-    ++member_begin_[node - first_];
+  Index from = level - 1;  // the clusters are known on this level
+  if (level == 1 || samples != samples_) {
+    clusters_.resize(hierarchy_.level_size(samples));
+    for (std::size_t i = 0; i < clusters_.size(); ++i) clusters_[i] = static_cast<Index>(begin + i);
+    from = samples;
+  }
+  samples_ = samples;
+  member_begin_.assign(std::size_t{end_ - first_} + 1, 0);
+  for (Index& cluster : clusters_) {
+    for (Index up = from; up < level; ++up) cluster = hierarchy_.parent[cluster];
+    ++member_begin_[cluster - first_];
   }
   sums(member_begin_);
   members_.resize(clusters_.size());
@@ -83,102 +105,120 @@ void LevelFit::find_members(Index level) {
 }
 
 void LevelFit::look_around(Index node, std::span<const Vec3d> positions) {
-  wedges_.clear();
   const Vec3d& origin = positions[node];
+  fan_.clear();
   for (Index i = fan_begin_[node - first_]; i < fan_begin_[node - first_ + 1]; ++i) {
-    const Triangle& t = triangles_[fans_[i]];
-    const unsigned at = t[0] == node ? 0 : t[1] == node ? 1 : 2;
-    const Index a = t[(at + 1) % 3], b = t[(at + 2) % 3];
-    const Vec3d to_a = positions[a] - origin, to_b = positions[b] - origin;
-    const double aa = squared_length(to_a), ab = dot(to_a, to_b), bb = squared_length(to_b);
-    const double det = aa * bb - ab * ab;
-    wedges_.push_back({to_a, to_b, aa, ab, bb, det > 1e-12 * aa * bb ? 1 / det : 0, reciprocal(aa), reciprocal(bb),
-                       reciprocal(aa - 2 * ab + bb), a, b});
+    const auto [a, b] = fans_[i];
+    fan_.add(a, Vec3f(positions[a] - origin), b, Vec3f(positions[b] - origin));
   }
-}
-
-// The closest of the points that the node's triangles have right below; where there is none, on their sides.
-LevelFit::Place LevelFit::closest(const Vec3d& point) const {
-  Place best;
-  for (const Wedge& w : wedges_) {
-    const double pa = dot(point, w.to_a), pb = dot(point, w.to_b);
-    const double a = (w.bb * pa - w.ab * pb) * w.by_det, b = (w.aa * pb - w.ab * pa) * w.by_det;
-    const double gain = a * pa + b * pb;
-    if (w.by_det > 0 && a >= 0 && b >= 0 && a + b <= 1 && gain > best.gain) best = {gain, a, b, &w};
-  }
-  if (best.wedge != nullptr) return best;
-  for (const Wedge& w : wedges_) {
-    const double pa = dot(point, w.to_a), pb = dot(point, w.to_b);
-    const double s = std::clamp(pa * w.by_aa, 0.0, 1.0);
-    if (const double gain = s * (2 * pa - s * w.aa); gain > best.gain) best = {gain, s, 0, &w};
-    const double t = std::clamp(pb * w.by_bb, 0.0, 1.0);
-    if (const double gain = t * (2 * pb - t * w.bb); gain > best.gain) best = {gain, 0, t, &w};
-    const double u = std::clamp((pb - pa + w.aa - w.ab) * w.by_cc, 0.0, 1.0), v = 1 - u;
-    const double across = v * (2 * pa - v * w.aa) + u * (2 * pb - u * w.bb) - 2 * u * v * w.ab;
-    if (across > best.gain) best = {across, v, u, &w};
-  }
-  return best;
+  fan_.finish();
 }
 
 // point: from the node.
 void LevelFit::pull_towards(const Vec3d& point, double weight, Index node) {
-  const Place best = closest(point);
-  const Vec3d r = point - best.wedge->to_a * best.a - best.wedge->to_b * best.b;
-  const double squared = squared_length(r);
-  if (!(squared > 1e-24)) return;
-  const auto pull = [&](Index at, double share) {
+  const Fan::Place place = fan_.closest(Vec3f(point));
+  const auto& [x, y, z] = place.direction;
+  const float w = static_cast<float>(weight), steps = place.steps;
+  const Float4 d{x, y, z, steps};
+  const Float4 scaled = d * (w * place.by_squared);
+  const Pull whole{{scaled[0] * x, scaled[1] * y, scaled[2] * z, w * steps * steps * squared_length(place.direction)},
+                   {scaled[0] * y, scaled[0] * z, scaled[1] * z, 0},
+                   d * (w * steps)};
+  const auto add = [&](Index at, float share) {
     if (!(share > 0)) return;
-    Pull& p = pulls_[at - first_];
-    const double w = weight * share, s = w / squared;
-    p.xx += s * r.x * r.x, p.xy += s * r.x * r.y, p.xz += s * r.x * r.z;
-    p.yy += s * r.y * r.y, p.yz += s * r.y * r.z, p.zz += s * r.z * r.z;
-    p.force = p.force + r * w;
+    Pull& pull = pulls_[at - first_];
+    pull.squares += whole.squares * share;
+    pull.products += whole.products * share;
+    pull.force += whole.force * share;
   };
-  pull(node, 1 - best.a - best.b);
-  pull(best.wedge->a, best.a);
-  pull(best.wedge->b, best.b);
+  add(node, 1 - place.at_a - place.at_b);
+  add(place.a, place.at_a);
+  add(place.b, place.at_b);
 }
 
-// To the minimum of what pulls and of the quadric.
-void LevelFit::move(Index node, const Quadric& q, double anchor, Vec3d& x) const {
-  const Pull& p = pulls_[node - first_];
-  const Vec3d slope{q.xx * x.x + q.xy * x.y + q.xz * x.z + q.bx, q.xy * x.x + q.yy * x.y + q.yz * x.z + q.by,
-                    q.xz * x.x + q.yz * x.y + q.zz * x.z + q.bz};
-  const Vec3d b = slope * anchor - p.force;
-  const Quadric from_here{p.xx + anchor * q.xx,
-                          p.xy + anchor * q.xy,
-                          p.xz + anchor * q.xz,
-                          p.yy + anchor * q.yy,
-                          p.yz + anchor * q.yz,
-                          p.zz + anchor * q.zz,
-                          b.x,
-                          b.y,
-                          b.z,
-                          0};
-  x = x + minimum(from_here).point;
+// With every step-th sample of a cluster, for all.
+void LevelFit::pull(std::span<const Vec3d> positions, Index step) {
+  pulls_.assign(end_ - first_, {});
+  for (Index node = first_; node < end_; ++node) {
+    const Index begin = member_begin_[node - first_], end = member_begin_[node - first_ + 1];
+    const Index by = end - begin < 2 * step ? 1 : step;
+    look_around(node, positions);
+    if (fan_.empty()) continue;
+    for (Index i = begin; i < end; i += by)
+      pull_towards(positions[members_[i]] - positions[node], by * areas_[members_[i]], node);
+  }
+}
+
+// Every node to the minimum of what pulls and of its quadric.
+void LevelFit::move(std::span<const Quadric> quadrics, double anchor, std::span<Vec3d> positions,
+                    std::span<double> errors) {
+  for (Index node = first_; node < end_; ++node) {
+    const auto& [squares, products, force] = pulls_[node - first_];
+    const Quadric p{squares[0], products[0], products[1], squares[1], products[2],
+                    squares[2], -force[0],   -force[1],   -force[2],  squares[3]};
+    const Vec3d& x = positions[node];
+    Quadric q = quadrics[node];
+    q.bx += q.xx * x.x + q.xy * x.y + q.xz * x.z;
+    q.by += q.xy * x.x + q.yy * x.y + q.yz * x.z;
+    q.bz += q.xz * x.x + q.yz * x.y + q.zz * x.z;
+    q *= anchor;
+    q += p;
+    const Vec3d way = minimum(q).point;
+    const double left = std::max(p(way), 0.0);
+    if (!std::isfinite(left)) continue;  // millions of times larger than the first frame
+    positions[node] += way;
+    if (fan_begin_[node - first_] < fan_begin_[node - first_ + 1]) errors[node] = left;
+  }
+}
+
+// Whether it faces away from the surface that its corners stand for, and does not at their minima. On thin sheets and
+// sharp edges clusters face several ways, and say nothing.
+bool LevelFit::is_turned_over(const Triangle& t, std::span<const Vec3d> positions) const {
+  const Vec3d faces = area_vectors_[t[0]] + area_vectors_[t[1]] + area_vectors_[t[2]];
+  if (!(dot(area_vector(t, positions), faces) < 0)) return false;
+  const double area = areas_[t[0]] + areas_[t[1]] + areas_[t[2]];
+  if (squared_length(faces) < kFacing * kFacing * area * area) return false;
+  const Vec3d &a = minima_[t[0] - first_], &b = minima_[t[1] - first_], &c = minima_[t[2] - first_];
+  return dot(cross(b - a, c - a), faces) >= 0;
+}
+
+void LevelFit::draw_back(const Triangle& triangle, double share, std::span<Vec3d> positions) {
+  for (const Index node : triangle) {
+    const Vec3d& minimum = minima_[node - first_];
+    if (positions[node] == minimum) continue;
+    positions[node] = minimum + (positions[node] - minimum) * share;
+    drawn_back_.push_back(node);
+  }
+}
+
+// What turns over because its neighbour is drawn back goes back altogether, each node once: that ends.
+void LevelFit::turn_back(std::span<Vec3d> positions) {
+  drawn_back_.clear();
+  for (const Triangle& t : triangles_)
+    for (int i = 0; is_turned_over(t, positions); ++i) draw_back(t, i < kHalvings ? 0.5 : 0.0, positions);
+  for (std::size_t i = 0; i < drawn_back_.size(); ++i) {
+    const Index node = drawn_back_[i];
+    for (Index k = fan_begin_[node - first_]; k < fan_begin_[node - first_ + 1]; ++k)
+      if (const Triangle t{node, fans_[k].a, fans_[k].b}; is_turned_over(t, positions)) draw_back(t, 0, positions);
+  }
 }
 
 void LevelFit::fit(std::span<const double> vertex_areas, std::span<const Quadric> quadrics, const FitOptions& options,
-                   std::span<Vec3d> positions) {
-  assert(vertex_areas.size() == hierarchy_.vertex_count());
-  assert(quadrics.size() == areas_.size() && positions.size() == areas_.size());
+                   std::span<Vec3d> positions, std::span<double> errors) {
+  assert(vertex_areas.size() == hierarchy_.vertex_count() && quadrics.size() == areas_.size());
+  assert(positions.size() == areas_.size() && errors.size() == areas_.size());
   if (options.rounds == 0) return;
-  sum_areas(vertex_areas);
+  sum_clusters(vertex_areas, positions);
   triangles_ = mesh_.triangles;
   for (Index level = 1; level < hierarchy_.level_count(); ++level) {
     go_up(level);
     find_members(level);
-    const Index end = hierarchy_.level_begin[level + 1];
+    minima_.assign(positions.begin() + first_, positions.begin() + end_);
     for (unsigned round = 0; round < options.rounds; ++round) {
-      pulls_.assign(end - first_, {});
-      for (Index node = first_; node < end; ++node) {
-        look_around(node, positions);
-        if (wedges_.empty()) continue;
-        for (Index i = member_begin_[node - first_]; i < member_begin_[node - first_ + 1]; ++i)
-          pull_towards(positions[members_[i]] - positions[node], areas_[members_[i]], node);
-      }
-      for (Index node = first_; node < end; ++node) move(node, quadrics[node], options.anchor, positions[node]);
+      pull(positions, round == 0 && options.rounds > 1 ? 2 : 1);
+      move(quadrics, options.anchor, positions, errors);
     }
+    turn_back(positions);
   }
 }
 

@@ -9,6 +9,7 @@
 #include "limber/base/mesh.h"
 #include "limber/base/quadric.h"
 #include "limber/base/vec.h"
+#include "limber/hierarchy/fan.h"
 #include "limber/hierarchy/hierarchy.h"
 
 namespace limber {
@@ -28,51 +29,52 @@ class LevelFit {
 
   // Moves all nodes above the finest level. vertex_areas: [vertex_count], VertexQuadrics::areas(); quadrics:
   // [node_count], of the clusters; positions: [node_count], the finest as they are, the others at the minima of their
-  // quadrics.
+  // quadrics; errors: [node_count], the squared distance of each node's cluster over its area. Those of nodes with
+  // triangles become what is left of it; over a level they sum up to that of the samples to the level's surface.
   void fit(std::span<const double> vertex_areas, std::span<const Quadric> quadrics, const FitOptions& options,
-           std::span<Vec3d> positions);
+           std::span<Vec3d> positions, std::span<double> errors);
 
  private:
-  // A triangle as seen from one of its corners, the origin.
-  struct Wedge {
-    Vec3d to_a, to_b;                    // the other corners
-    double aa, ab, bb;                   // scalar products of these
-    double by_det, by_aa, by_bb, by_cc;  // reciprocals; cc is the side across from the origin. 0 where there is none
-    Index a, b;
+  struct Side {
+    Index a, b;  // of a triangle: the corners beside a node
   };
-  // A point on a wedge.
-  struct Place {
-    double gain = -1;     // by how much its squared distance is less than that of the origin
-    double a = 0, b = 0;  // barycentric
-    const Wedge* wedge = nullptr;
-  };
-  // What pulls at a node: sum of w dd', and of w r, with r the way to the finest surface and d its direction.
+  // What pulls at a node, as a function of how far it moves: the weighted sum of ((r - move).d)^2.
   struct Pull {
-    double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
-    Vec3d force{};
+    Float4 squares{};   // of xx, yy, zz and of r
+    Float4 products{};  // of xy, xz, yz
+    Float4 force{};     // x, y, z
   };
 
-  void sum_areas(std::span<const double> vertex_areas);
+  void sum_clusters(std::span<const double> vertex_areas, std::span<const Vec3d> positions);
   void go_up(Index level);
   Index sample_level(Index level) const;
   void find_members(Index level);
   void look_around(Index node, std::span<const Vec3d> positions);
-  Place closest(const Vec3d& point) const;
   void pull_towards(const Vec3d& point, double weight, Index node);
-  void move(Index node, const Quadric& quadric, double anchor, Vec3d& position) const;
+  void pull(std::span<const Vec3d> positions, Index step);
+  void move(std::span<const Quadric> quadrics, double anchor, std::span<Vec3d> positions, std::span<double> errors);
+  bool is_turned_over(const Triangle& triangle, std::span<const Vec3d> positions) const;
+  void draw_back(const Triangle& triangle, double share, std::span<Vec3d> positions);
+  void turn_back(std::span<Vec3d> positions);
 
   const Mesh& mesh_;
   const Hierarchy& hierarchy_;
-  Index first_ = 0;                  // node of the level at work
   std::vector<double> areas_;        // [node_count], of clusters
-  std::vector<Triangle> triangles_;  // of the level at work: images of the finest that have not degenerated
+  std::vector<Vec3d> area_vectors_;  // [node_count], of clusters: sums of area x normal
+
+  // Of the level at work:
+  Index first_ = 0, end_ = 0;        // nodes
+  std::vector<Vec3d> minima_;        // [level_size]
+  std::vector<Triangle> triangles_;  // images of the finest that have not degenerated
   std::vector<Index> fan_begin_;     // [level_size + 1], into fans_
-  std::vector<Index> fans_;          // triangles around each node
+  std::vector<Side> fans_;           // triangles around each node
+  Index samples_ = 0;                // the sample level
+  std::vector<Index> clusters_;      // [size of the sample level]
   std::vector<Index> member_begin_;  // [level_size + 1], into members_
   std::vector<Index> members_;       // nodes of the sample level, by cluster
-  std::vector<Index> clusters_;      // [size of the sample level]
-  std::vector<Wedge> wedges_;        // around the node at work
   std::vector<Pull> pulls_;          // [level_size]
+  Fan fan_;                          // of the node at work
+  std::vector<Index> drawn_back_;    // nodes
 };
 
 }  // namespace limber

@@ -204,7 +204,8 @@ std::span<const Swap> Reclusterer::step(std::span<const Vec3f> positions) {
   for (auto level = static_cast<Index>(graphs_.size()); level-- > 0;)
     improve_level(level, first_ ? 0.0 : options_.threshold);
   clusters_.weigh();
-  fit_.fit(vertex_quadrics_.areas(), clusters_.quadrics(), options_.fit, clusters_.minima());
+  fitted_energies_.assign(clusters_.energies().begin(), clusters_.energies().end());
+  fit_.fit(vertex_quadrics_.areas(), clusters_.quadrics(), options_.fit, clusters_.minima(), fitted_energies_);
   first_ = false;
 
   swaps_.clear();
@@ -214,7 +215,7 @@ std::span<const Swap> Reclusterer::step(std::span<const Vec3f> positions) {
   const double unit_error = 1 / (scale_ * scale_);
   for (Index node = vertex_count; node < hierarchy().node_count(); ++node) {
     positions_[node] = frame.from_unit(clusters_.minimum_at(node));
-    errors_[node] = static_cast<float>(std::sqrt(clusters_.energy(node)) * unit_error);
+    errors_[node] = static_cast<float>(std::sqrt(fitted_energies_[node]) * unit_error);
   }
   return swaps_;
 }

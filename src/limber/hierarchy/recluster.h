@@ -67,7 +67,8 @@ class Reclusterer {
   const Hierarchy& hierarchy() const { return clusters_.hierarchy(); }
   // [node_count]; finest nodes have the positions given, others those of level_fit.h.
   std::span<const Vec3f> positions() const { return positions_; }
-  // [node_count]; square root of the least quadric error, 0 for finest nodes (see stream/frame_state.h for the unit).
+  // [node_count]; square root of the squared error that the fit leaves, without a fit of the least quadric error; 0 for
+  // finest nodes (see stream/frame_state.h for the unit).
   std::span<const float> errors() const { return errors_; }
   // How far each node above the finest level may stand from its position: leeways[node - vertex_count]. In the units of
   // the positions.
@@ -101,9 +102,10 @@ class Reclusterer {
   double scale_ = 0;  // of the first frame's normalization, used for all
   bool first_ = true;
 
-  std::vector<Vec3f> positions_;       // [node_count]
-  std::vector<float> errors_;          // [node_count]
-  std::vector<Index> parents_before_;  // [node_count]
+  std::vector<double> fitted_energies_;  // [node_count], squared errors after the fit
+  std::vector<Vec3f> positions_;         // [node_count]
+  std::vector<float> errors_;            // [node_count]
+  std::vector<Index> parents_before_;    // [node_count]
   std::vector<Swap> swaps_;
 
   LevelFit fit_;
