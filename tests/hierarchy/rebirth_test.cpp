@@ -2,6 +2,7 @@
 #include "limber/hierarchy/rebirth.h"
 
 #include <gtest/gtest.h>
+#include <memory>
 
 #include "limber/hierarchy/validate.h"
 #include "tests/hierarchy/weighed.h"
@@ -41,22 +42,25 @@ Shape bumped() {
   });
 }
 
-Scene late(Topology topology, Index level) {
-  const Shape flat = test::waved(test::sheet(14, 14));
-  Scene scene(flat, 4, topology, level);
+// The hierarchy of the flat sheet, weighed on the bumped one.
+std::unique_ptr<Scene> late(Topology topology, Index level) {
+  auto late = std::make_unique<Scene>(test::waved(test::sheet(14, 14)), 4, topology, level);
+  Scene& scene = *late;
   const Shape now = bumped();
   const Normalization to = normalization(now.positions);
   for (Index v = 0; v < now.mesh.vertex_count; ++v) scene.clusters.finest_positions()[v] = to.to_unit(now.positions[v]);
   VertexQuadrics(now.mesh, {}).compute(scene.clusters.finest_positions(), scene.clusters.finest_quadrics());
   scene.clusters.weigh();
-  return scene;
+  return late;
 }
 
 TEST(Rebirth, BringsClustersToWhereTheErrorIsAndKeepsTheirNumber) {
   for (const Topology topology : {Topology::kPreserve, Topology::kFree}) {
     for (const Index level : {0u, 1u}) {
-      Scene scene = late(topology, level);
-      Validator validator(bumped().mesh, topology);
+      const auto made = late(topology, level);
+      Scene& scene = *made;
+      const Shape shape = bumped();
+      Validator validator(shape.mesh, topology);
       const double first = scene.error();
       std::size_t pairs = 0;
       for (int round = 0; round < 10; ++round) {
@@ -75,7 +79,8 @@ TEST(Rebirth, BringsClustersToWhereTheErrorIsAndKeepsTheirNumber) {
 }
 
 TEST(Rebirth, DoesNothingWithoutHysteresisOrWhereNothingGainsEnough) {
-  Scene scene = late(Topology::kPreserve, 0);
+  const auto made = late(Topology::kPreserve, 0);
+  Scene& scene = *made;
   const Hierarchy before = scene.clusters.hierarchy();
   EXPECT_TRUE(scene.rebirth.pair_up(scene.graph, 0, {.hysteresis = 0}).empty());
   EXPECT_TRUE(scene.rebirth.pair_up(scene.graph, scene.error(), {}).empty());
@@ -83,13 +88,14 @@ TEST(Rebirth, DoesNothingWithoutHysteresisOrWhereNothingGainsEnough) {
 }
 
 TEST(Rebirth, MakesFewerPairsWithMoreHysteresis) {
-  Scene little = late(Topology::kPreserve, 0), much = late(Topology::kPreserve, 0);
-  const std::size_t many = little.rebirth.pair_up(little.graph, 0, {.hysteresis = 1}).size();
-  EXPECT_LT(much.rebirth.pair_up(much.graph, 0, {.hysteresis = 20}).size(), many);
+  const auto little = late(Topology::kPreserve, 0), much = late(Topology::kPreserve, 0);
+  const std::size_t many = little->rebirth.pair_up(little->graph, 0, {.hysteresis = 1}).size();
+  EXPECT_LT(much->rebirth.pair_up(much->graph, 0, {.hysteresis = 20}).size(), many);
 }
 
 TEST(Rebirth, NamesEveryClusterThatHasChangedOnce) {
-  Scene scene = late(Topology::kPreserve, 0);
+  const auto made = late(Topology::kPreserve, 0);
+  Scene& scene = *made;
   const Hierarchy before = scene.clusters.hierarchy();
   std::vector<Index> changed = scene.rebirth.pair_up(scene.graph, 0, {});
   std::sort(changed.begin(), changed.end());
@@ -103,12 +109,16 @@ TEST(Rebirth, NamesEveryClusterThatHasChangedOnce) {
 }
 
 TEST(Rebirth, LeavesEverythingAsItWasWhereADeathFindsNoBirth) {
-  // A tetrahedron over a finer one: no cluster may end, and none can be founded.
-  const Shape shape = test::jittered(test::sphere(1), 0.05f, 1);
-  BuildOptions options;
-  options.level_sizes = {4};
-  const std::span<const Vec3f> frames[] = {shape.positions};
-  Clustering clusters(build_hierarchy(shape.mesh, frames, options));
+  // A tetrahedron whose edges have been divided, in clusters of its corners: none of them may end.
+  const Shape shape = test::jittered(test::subdivided(test::tetrahedron()), 0.05f, 1);
+  const Index count = shape.mesh.vertex_count;
+  ASSERT_EQ(count, 10u);
+  const LevelGraph finest = test::graph_of(shape.mesh, {{0, count}, std::vector<Index>(count, kNone)}, 0, false);
+  Hierarchy corners{{0, count, count + 4}, std::vector<Index>(count + 4, kNone)};
+  for (Index v = 0; v < count; ++v)
+    corners.parent[v] = count + (v < 4 ? v : std::ranges::min(finest.around(v)));
+  ASSERT_FALSE(Validator(shape.mesh, Topology::kPreserve)(corners));
+  Clustering clusters(corners);
   for (Index v = 0; v < shape.mesh.vertex_count; ++v)
     clusters.finest_positions()[v] = normalization(shape.positions).to_unit(shape.positions[v]);
   VertexQuadrics(shape.mesh, {}).compute(clusters.finest_positions(), clusters.finest_quadrics());
