@@ -20,7 +20,7 @@ struct Prepared {
   std::optional<ClusterPlan> plan(Index v, const ClusterOptions& options = {}) const {
     Star star;
     ClusterPlan made;
-    if (!faces.gather(v, star) || !plan_cluster({faces, positions, quadrics, own_errors}, star, options, made))
+    if (!faces.gather(v, star) || !plan_cluster({faces, positions, quadrics, own_errors}, star, options, true, made))
       return std::nullopt;
     return made;
   }

@@ -58,7 +58,9 @@ class Builder {
         kept_(mesh.vertex_count, 0),
         marks_(mesh.vertex_count, 0),
         own_error_(mesh.vertex_count),
-        cost_(mesh.vertex_count, kNever) {
+        plans_(mesh.vertex_count),
+        planned_(mesh.vertex_count, 0),
+        kept_error_(mesh.vertex_count) {
     start_quadrics(mesh);
     out_.vertex_count = mesh.vertex_count;
     out_.finest_count = faces_.face_count();
@@ -89,6 +91,8 @@ class Builder {
   }
   unsigned depth_of(const Star& star) const;
   float least_cost(Index v) const;
+  bool is_current(Index v, const Star& star) const;
+  bool plan(Index v, const Star& star, bool check_edges);
   void price_all();
   void run_level(const GoOnFunction& go_on);
   void simplify_cluster(Star& star, const ClusterPlan& plan);
@@ -109,7 +113,9 @@ class Builder {
   std::vector<std::uint8_t> kept_;   // [vertex_count]: tagged
   std::vector<std::uint8_t> marks_;  // [vertex_count]: the last level in which it became a corner of a marked face
   std::vector<double> own_error_;    // [vertex_count]: Q_v(v)
-  std::vector<float> cost_;          // [vertex_count]: at most E(v); kNever where v cannot be removed
+  std::vector<ClusterPlan> plans_;     // [vertex_count]: until there is a plan its cost is at most that of one
+  std::vector<std::uint8_t> planned_;  // [vertex_count]: the level of the plan; 0 where the star has changed since
+  std::vector<double> kept_error_;     // [vertex_count]: Q_u(u) as it was planned with
   std::uint8_t level_ = 0;           // the mark of this level, from 1
   unsigned most_depth_ = 0;          // of clusters in this level
   Index vertices_left_ = 0;
@@ -135,7 +141,7 @@ unsigned Builder::depth_of(const Star& star) const {
   return depth + 1;
 }
 
-// At most E(v): C(v) alone, which needs no plan. What comes to the front of the queue gets its E(v) then.
+// At most E(v): C(v) alone, which needs no plan; kNever where v stays.
 float Builder::least_cost(Index v) const {
   const Index start = faces_.outgoing(v);
   if (start == kNone || kept_[v] || faces_.is_complex(v)) return kNever;
@@ -149,16 +155,18 @@ float Builder::least_cost(Index v) const {
     h = faces_.twin(back);
     if (h == kNone) look_at(faces_.origin(back));
   } while (h != start && h != kNone);
-  for (h = h == kNone ? faces_.twin(start) : kNone; h != kNone; h = faces_.twin(h)) {
-    h = FaceTable::next(h);
-    look_at(faces_.target(h));
+  if (h == kNone) {
+    for (h = faces_.twin(start); h != kNone; h = faces_.twin(h)) {
+      h = FaceTable::next(h);
+      look_at(faces_.target(h));
+    }
   }
   return static_cast<float>(options_.cluster.removal_weight * std::max(least, 0.0));
 }
 
 void Builder::price_all() {
   for_ranges(faces_.vertex_count(), options_.threads, [&](Index first, Index end) {
-    for (Index v = first; v < end; ++v) cost_[v] = least_cost(v);
+    for (Index v = first; v < end; ++v) plans_[v].cost = least_cost(v);
   });
 }
 
@@ -168,24 +176,37 @@ void Builder::run_level(const GoOnFunction& go_on) {
   constexpr float kNothing = 1e-18f;
   CostQueue queue(vertices_left_);
   for (Index v = 0; v < faces_.vertex_count(); ++v)
-    if (cost_[v] < kNever) queue.push(v, cost_[v]);
+    if (faces_.outgoing(v) != kNone && plans_[v].cost < kNever) queue.push(v, plans_[v].cost);
   Index steps = 0;
   while (!is_small_enough() && queue.advance([](Index, float cost) { return cost; })) {
     if (go_on && ++steps % 1024 == 0 && !go_on()) return;
     const Index v = queue.front();
     queue.pop();
-    if (cost_[v] > kNothing && faces_.face_count() <= enough) return;
+    const float was = plans_[v].cost;
+    if (was > kNothing && faces_.face_count() <= enough) return;
+    if (marks_[v] == level_) continue;
     Star star;
-    ClusterPlan plan;
-    if (marks_[v] == level_ || !faces_.gather(v, star) || depth_of(star) > most_depth_) continue;
-    if (!plan_cluster(input(), star, options_.cluster, plan)) continue;
-    const float was = cost_[v];
-    cost_[v] = static_cast<float>(plan.cost);
-    if (cost_[v] > was)
-      queue.push(v, cost_[v]);
+    if (!faces_.gather(v, star) || depth_of(star) > most_depth_) continue;
+    bool found = is_current(v, star) || plan(v, star, false);
+    if (found && plans_[v].cost <= was && !creates_new_edges(faces_, star, plans_[v])) found = plan(v, star, true);
+    if (!found) continue;
+    if (plans_[v].cost > was)
+      queue.push(v, plans_[v].cost);
     else
-      simplify_cluster(star, plan);
+      simplify_cluster(star, plans_[v]);
   }
+}
+
+// The quadrics of the other neighbours only grow, which makes the one that is kept no worse beside them.
+bool Builder::is_current(Index v, const Star& star) const {
+  return planned_[v] == level_ && kept_error_[v] == own_error_[star.ring[plans_[v].kept]];
+}
+
+bool Builder::plan(Index v, const Star& star, bool check_edges) {
+  if (!plan_cluster(input(), star, options_.cluster, check_edges, plans_[v])) return false;
+  planned_[v] = level_;
+  kept_error_[v] = own_error_[star.ring[plans_[v].kept]];
+  return true;
 }
 
 void Builder::record(Index v, double error, std::span<const Index> destroyed, std::span<const Index> created_faces,
@@ -247,7 +268,7 @@ void Builder::simplify_cluster(Star& star, const ClusterPlan& plan) {
   const unsigned depth = depth_of(star);
   const Index v = star.center, u = star.ring[plan.kept], w = star.ring[plan.opposite];
   const double error = removal_error(v, u);
-  std::array<Index, Star::kMostNeighbours> swapped;
+  std::array<Index, ClusterPlan::kMostSwaps> swapped;
   for (std::uint32_t i = 0; i < plan.swap_count; ++i) swapped[i] = star.ring[plan.swaps[i]];
   for (std::uint32_t i = 0; i < plan.swap_count; ++i) swap_edge(star, star.place_of(swapped[i]), depth);
 
@@ -264,6 +285,7 @@ void Builder::simplify_cluster(Star& star, const ClusterPlan& plan) {
   }
   record(v, error, std::span(destroyed).first(star.face_count()), std::span(left).first(left_count), depth);
   for (std::uint32_t i = 0; i < star.count; ++i) marks_[star.ring[i]] = level_;
+  for (std::uint32_t i = 0; i < plan.swap_count; ++i) planned_[swapped[i]] = 0;
   --vertices_left_;
   if (u != w)
     share_quadric(v, u, w);

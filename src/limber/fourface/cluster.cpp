@@ -47,13 +47,11 @@ class Planner {
   Planner(const ClusterInput& input, const Star& star, const ClusterOptions& options)
       : input_(input), star_(star), options_(options) {}
 
-  bool run(ClusterPlan& best) {
+  bool run(bool check_edges, ClusterPlan& best) {
     if (!find_sides()) return false;
     start_ring();
     find_candidates();
-    // Most plans create no edge twice: that is looked at for the best of them alone, until it is one that does.
-    if (!find_best(best, false)) return false;
-    return is_new(best) || find_best(best, true);
+    return find_best(check_edges, best);
   }
 
  private:
@@ -68,8 +66,7 @@ class Planner {
   }
   double swap_cost(Place r, Place s, Place t) const;
   void find_candidates();
-  bool find_best(ClusterPlan& best, bool check_edges);
-  bool is_new(const ClusterPlan& plan) const;
+  bool find_best(bool check_edges, ClusterPlan& best);
   void copy_ring(Ring& ring) const;
   double reduce(Ring& ring, Place kept, bool check_edges, ClusterPlan& plan) const;
   double finish(const Ring& ring, Place kept, bool check_edges, ClusterPlan& plan) const;
@@ -165,35 +162,24 @@ void Planner::find_candidates() {
   candidate_count_ = tried;
 }
 
-bool Planner::find_best(ClusterPlan& best, bool check_edges) {
-  best.cost = kNever;
+bool Planner::find_best(bool check_edges, ClusterPlan& best) {
+  double least = kNever;
   ClusterPlan plan;
   Ring ring;
   for (std::uint32_t i = 0; i < candidate_count_; ++i) {
     const auto& [removal, kept] = candidates_[i];
-    if (removal >= best.cost) break;
+    if (removal >= least) break;
     copy_ring(ring);
     plan.swap_count = 0;
-    plan.cost = removal + reduce(ring, kept, check_edges, plan);
-    if (plan.cost >= best.cost) continue;
-    plan.cost += finish(ring, kept, check_edges, plan);
-    if (plan.cost >= best.cost) continue;
-    best.cost = plan.cost, best.kept = plan.kept, best.opposite = plan.opposite, best.swap_count = plan.swap_count;
-    std::copy_n(plan.swaps.begin(), plan.swap_count, best.swaps.begin());
+    double cost = removal + reduce(ring, kept, check_edges, plan);
+    if (cost >= least) continue;
+    cost += finish(ring, kept, check_edges, plan);
+    if (cost >= least) continue;
+    least = cost;
+    best = plan;
   }
-  return best.cost < kNever;
-}
-
-// Whether none of the edges that a plan creates is there already.
-bool Planner::is_new(const ClusterPlan& plan) const {
-  Ring ring;
-  copy_ring(ring);
-  for (std::uint32_t i = 0; i < plan.swap_count; ++i) {
-    const Place r = plan.swaps[i], s = ring.previous[r], t = ring.next[r];
-    if (joined(s, t)) return false;
-    ring.next[s] = t, ring.previous[t] = s;
-  }
-  return plan.kept == plan.opposite || !joined(plan.kept, plan.opposite);
+  best.cost = static_cast<float>(least);
+  return least < kNever;
 }
 
 void Planner::copy_ring(Ring& ring) const {
@@ -209,6 +195,7 @@ void Planner::copy_ring(Ring& ring) const {
 double Planner::reduce(Ring& ring, Place kept, bool check_edges, ClusterPlan& plan) const {
   double sum = 0;
   while (!is_reduced(ring)) {
+    if (plan.swap_count == ClusterPlan::kMostSwaps) return kNever;
     ring.swap_cost[kept] = kNever;
     std::uint32_t best = kNoPlace;
     double least = kNever;
@@ -275,8 +262,25 @@ double Planner::triangle_cost(Place u, Place s, Place w) const {
 
 }  // namespace
 
-bool plan_cluster(const ClusterInput& input, const Star& star, const ClusterOptions& options, ClusterPlan& plan) {
-  return Planner(input, star, options).run(plan);
+bool plan_cluster(const ClusterInput& input, const Star& star, const ClusterOptions& options, bool check_edges,
+                  ClusterPlan& plan) {
+  return Planner(input, star, options).run(check_edges, plan);
+}
+
+bool creates_new_edges(const FaceTable& faces, const Star& star, const ClusterPlan& plan) {
+  const auto joined = [&](std::uint32_t a, std::uint32_t b) { return faces.has_edge(star.ring[a], star.ring[b]); };
+  std::uint64_t gone = 0;
+  const auto step = [&](std::uint32_t i, std::uint32_t by) {
+    do i = (i + by) % star.count;
+    while (gone >> i & 1);
+    return i;
+  };
+  for (std::uint32_t i = 0; i < plan.swap_count; ++i) {
+    const std::uint32_t r = plan.swaps[i];
+    gone |= std::uint64_t{1} << r;
+    if (joined(step(r, star.count - 1), step(r, 1))) return false;
+  }
+  return plan.kept == plan.opposite || !joined(plan.kept, plan.opposite);
 }
 
 }  // namespace limber

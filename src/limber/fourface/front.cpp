@@ -15,17 +15,6 @@ void Front::list(std::vector<Triangle>& corners) const {
   for (std::size_t i = 0; i < alive_.size(); ++i) corners[i] = mesh_->triangles[alive_[i]];
 }
 
-bool Front::can_apply(Index operation) const {
-  const std::span<const Index> destroyed = mesh_->destroyed_by(operation);
-  return std::all_of(destroyed.begin(), destroyed.end(), [this](Index t) { return is_alive(t); });
-}
-
-bool Front::can_reverse(Index operation) const {
-  for (Index t = mesh_->created_begin[operation]; t < mesh_->created_begin[operation + 1]; ++t)
-    if (!is_alive(t)) return false;
-  return true;
-}
-
 void Front::apply(Index operation) {
   assert(can_apply(operation));
   for (const Index t : mesh_->destroyed_by(operation)) remove(t);

@@ -47,8 +47,19 @@ class Front {
  private:
   using Key = std::pair<double, Index>;  // of the operation that is the second
 
-  bool can_apply(Index operation) const;
-  bool can_reverse(Index operation) const;
+  bool can_apply(Index operation) const {
+    const std::span<const Index> destroyed = mesh_->destroyed_by(operation);
+    return std::all_of(destroyed.begin(), destroyed.end(), [this](Index t) { return is_alive(t); });
+  }
+  bool can_reverse(Index operation) const {
+    const Index end = mesh_->created_begin[operation + 1];
+    for (Index t = mesh_->created_begin[operation]; t < end; ++t)
+      if (!is_alive(t)) return false;
+    return true;
+  }
+  // visit(operation, is_applied) for each that can be applied or reversed as the front is now, once.
+  template <class Visit>
+  void for_each_candidate(const Visit& visit) const;
   void apply(Index operation);
   void reverse(Index operation);
   void add(Index triangle);
@@ -63,28 +74,39 @@ class Front {
   const FourKMesh* mesh_;
   std::vector<Index> alive_;  // [triangles of the front]
   std::vector<Index> place_;  // [mesh.triangle_count()]: in alive_; kNone for those that are not there
-  std::vector<Index> visit_;  // scratch
-  std::vector<Key> to_apply_, to_reverse_;
+  std::vector<Index> visit_;               // scratch
+  std::vector<Key> to_apply_, to_reverse_;  // scratch: heaps
   Index changes_ = 0;
 };
+
+template <class Visit>
+void Front::for_each_candidate(const Visit& visit) const {
+  for (const Index t : alive_) {
+    const Index creator = mesh_->creator[t], destroyer = mesh_->destroyer[t];
+    if (creator != kNone && t == mesh_->created_begin[creator] && can_reverse(creator)) visit(creator, true);
+    if (destroyer != kNone && t == mesh_->destroyed_by(destroyer)[0] && can_apply(destroyer)) visit(destroyer, false);
+  }
+}
 
 template <class IsCoarse>
 void Front::move(const IsCoarse& is_coarse) {
   changes_ = 0;
-  visit_ = alive_;
+  visit_.clear();
+  for_each_candidate([&](Index operation, bool is_applied) {
+    if (is_coarse(operation) != is_applied) visit_.push_back(operation);
+  });
   while (!visit_.empty()) {
-    const Index t = visit_.back();
+    const Index operation = visit_.back();
     visit_.pop_back();
-    if (!is_alive(t)) continue;
-    // Where an operation cannot be changed yet, what is to be changed first brings one of its triangles here again.
-    const Index creator = mesh_->creator[t], destroyer = mesh_->destroyer[t];
-    if (creator != kNone && !is_coarse(creator)) {
-      if (!can_reverse(creator)) continue;
-      reverse(creator);
-      for (const Index d : mesh_->destroyed_by(creator)) visit_.push_back(d);
-    } else if (destroyer != kNone && is_coarse(destroyer) && can_apply(destroyer)) {
-      apply(destroyer);
-      for (Index c = mesh_->created_begin[destroyer]; c < mesh_->created_begin[destroyer + 1]; ++c) visit_.push_back(c);
+    if (can_reverse(operation)) {
+      if (is_coarse(operation)) continue;
+      reverse(operation);
+      for (const Index t : mesh_->destroyed_by(operation))
+        if (mesh_->creator[t] != kNone) visit_.push_back(mesh_->creator[t]);
+    } else if (can_apply(operation) && is_coarse(operation)) {
+      apply(operation);
+      for (Index t = mesh_->created_begin[operation]; t < mesh_->created_begin[operation + 1]; ++t)
+        if (mesh_->destroyer[t] != kNone) visit_.push_back(mesh_->destroyer[t]);
     }
   }
 }
@@ -114,14 +136,9 @@ void Front::move_to_budget(const Value& value, Index triangles) {
     std::push_heap(to_reverse_.begin(), to_reverse_.end(), last_last);
   };
   to_apply_.clear(), to_reverse_.clear();
-  for (const Index t : alive_) {
-    // Each operation by one of its triangles.
-    const Index creator = mesh_->creator[t], destroyer = mesh_->destroyer[t];
-    if (creator != kNone && t == mesh_->created_begin[creator] && can_reverse(creator))
-      to_reverse_.push_back({value(creator), creator});
-    if (destroyer != kNone && t == mesh_->destroyed_by(destroyer)[0] && can_apply(destroyer))
-      to_apply_.push_back({value(destroyer), destroyer});
-  }
+  for_each_candidate([&](Index operation, bool is_applied) {
+    (is_applied ? to_reverse_ : to_apply_).push_back({value(operation), operation});
+  });
   std::make_heap(to_apply_.begin(), to_apply_.end(), first_last);
   std::make_heap(to_reverse_.begin(), to_reverse_.end(), last_last);
 
