@@ -4,6 +4,7 @@
 //
 //   begin:  build a 4-K mesh, until it is as small as asked for
 //   frame:  the positions of the vertices that are left
+#include <numeric>
 #include <vector>
 
 #include "eval/methods/factories.h"
@@ -32,6 +33,7 @@ class FourFace final : public Method {
         corner = at;
       }
     }
+    find_clusters(made);
   }
 
   void frame(std::span<const Vec3f> positions, Approximation& out) override {
@@ -42,14 +44,23 @@ class FourFace final : public Method {
     const ThreadTimer extracting;
     out.triangles = triangles_;
     out.nodes = vertices_;
-    out.clusters.clear();
+    out.clusters = clusters_;
     out.extract_seconds = extracting.seconds();
   }
 
  private:
+  // A vertex that was removed belongs to whom the one that was kept belongs to.
+  void find_clusters(const FourKMesh& made) {
+    clusters_.resize(made.vertex_count);
+    std::iota(clusters_.begin(), clusters_.end(), Index{0});
+    for (Index o = made.operation_count(); o-- > 0;)
+      if (made.is_removal(o)) clusters_[made.vertex[o]] = clusters_[made.kept(o)];
+  }
+
   MethodOptions options_;
   std::vector<Triangle> triangles_;
   std::vector<Index> vertices_;  // the input's, of each of the approximation
+  std::vector<Index> clusters_;
 };
 
 }  // namespace

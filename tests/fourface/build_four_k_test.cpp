@@ -97,6 +97,17 @@ TEST(BuildFourK, MakesNoClusterOfWhatItHasJustMadeInTheSameLevel) {
   }
 }
 
+TEST(BuildFourK, SaysWhichNeighbourStandsForAVertex) {
+  const Shape shape = test::sphere(3);
+  const FourKMesh mesh = build(shape);
+  for (Index o = 0; o < mesh.operation_count(); ++o) {
+    if (!mesh.is_removal(o)) continue;
+    // A neighbour as it was removed, of both triangles that are left.
+    for (Index t = mesh.created_begin[o]; t < mesh.created_begin[o + 1]; ++t)
+      EXPECT_TRUE(std::ranges::find(mesh.triangles[t], mesh.kept(o)) != mesh.triangles[t].end());
+  }
+}
+
 TEST(BuildFourK, KeepsTaggedVertices) {
   const Shape plane = test::sheet(15, 15);
   const FourKTags tags{.vertices = {16, 112, 130}, .edges = {}};

@@ -284,6 +284,8 @@ void Builder::simplify_cluster(Star& star, const ClusterPlan& plan) {
     left[0] = faces_.remove_between_three(star);
   }
   record(v, error, std::span(destroyed).first(star.face_count()), std::span(left).first(left_count), depth);
+  Triangle& created = out_.triangles[out_.created_begin[out_.operation_count() - 1]];
+  std::rotate(created.begin(), std::find(created.begin(), created.end(), u), created.end());
   for (std::uint32_t i = 0; i < star.count; ++i) marks_[star.ring[i]] = level_;
   for (std::uint32_t i = 0; i < plan.swap_count; ++i) planned_[swapped[i]] = 0;
   --vertices_left_;

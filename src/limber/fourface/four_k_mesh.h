@@ -43,6 +43,8 @@ struct FourKMesh {
   std::span<const Index> destroyed_by(Index operation) const {
     return {destroyed.data() + destroyed_begin[operation], destroyed_begin[operation + 1] - destroyed_begin[operation]};
   }
+  // The neighbour that stands for the vertex from then on. Precondition: is_removal(operation).
+  Index kept(Index operation) const { return triangles[created_begin[operation]][0]; }
   Index created_count(Index operation) const { return created_begin[operation + 1] - created_begin[operation]; }
   bool is_removal(Index operation) const { return created_count(operation) < destroyed_by(operation).size(); }
   std::size_t byte_count() const;
