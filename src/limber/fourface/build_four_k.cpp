@@ -24,6 +24,7 @@
 
 #include "limber/contract/cost_queue.h"
 #include "limber/contract/edges.h"
+#include "limber/contract/fetch.h"
 #include "limber/contract/orientation.h"
 #include "limber/contract/spatial_order.h"
 
@@ -94,6 +95,7 @@ class Builder {
   bool is_current(Index v, const Star& star) const;
   bool plan(Index v, const Star& star, bool check_edges);
   void price_all();
+  void fetch_ahead(const CostQueue& queue) const;
   void run_level(const GoOnFunction& go_on);
   void simplify_cluster(Star& star, const ClusterPlan& plan);
   Index triangle_of(Index half_edge) const { return faces_.face(FaceTable::face_of(half_edge)).triangle; }
@@ -110,14 +112,14 @@ class Builder {
   FaceTable faces_;
   std::vector<Vec3d> positions_;
   std::vector<Quadric> quadrics_;
-  std::vector<std::uint8_t> kept_;   // [vertex_count]: tagged
-  std::vector<std::uint8_t> marks_;  // [vertex_count]: the last level in which it became a corner of a marked face
-  std::vector<double> own_error_;    // [vertex_count]: Q_v(v)
+  std::vector<std::uint8_t> kept_;     // [vertex_count]: tagged
+  std::vector<std::uint8_t> marks_;    // [vertex_count]: the last level in which it became a corner of a marked face
+  std::vector<double> own_error_;      // [vertex_count]: Q_v(v)
   std::vector<ClusterPlan> plans_;     // [vertex_count]: until there is a plan its cost is at most that of one
   std::vector<std::uint8_t> planned_;  // [vertex_count]: the level of the plan; 0 where the star has changed since
   std::vector<double> kept_error_;     // [vertex_count]: Q_u(u) as it was planned with
-  std::uint8_t level_ = 0;           // the mark of this level, from 1
-  unsigned most_depth_ = 0;          // of clusters in this level
+  std::uint8_t level_ = 0;             // the mark of this level, from 1
+  unsigned most_depth_ = 0;            // of clusters in this level
   Index vertices_left_ = 0;
   FourKMesh out_;
 };
@@ -170,6 +172,22 @@ void Builder::price_all() {
   });
 }
 
+// Vertices come in an order that has nothing to do with where they lie.
+void Builder::fetch_ahead(const CostQueue& queue) const {
+  if (const Index v = queue.upcoming(12); v != kNone) {
+    faces_.fetch_vertex(v);
+    fetch(&marks_[v]);
+    fetch(&plans_[v]);
+  }
+  if (const Index v = queue.upcoming(8); v != kNone && marks_[v] != level_) {
+    faces_.fetch_face(v);
+    fetch(&quadrics_[v]);
+    fetch(&quadrics_[v].c);
+  }
+  if (const Index v = queue.upcoming(4); v != kNone && marks_[v] != level_)
+    faces_.fetch_faces(v, [this](Index u) { fetch(&positions_[u]), fetch(&own_error_[u]); });
+}
+
 void Builder::run_level(const GoOnFunction& go_on) {
   const auto enough = static_cast<Index>(options_.level_share * faces_.face_count());
   // What rounding leaves of an error of 0, for quadrics of unit size.
@@ -182,6 +200,7 @@ void Builder::run_level(const GoOnFunction& go_on) {
     if (go_on && ++steps % 1024 == 0 && !go_on()) return;
     const Index v = queue.front();
     queue.pop();
+    fetch_ahead(queue);
     const float was = plans_[v].cost;
     if (was > kNothing && faces_.face_count() <= enough) return;
     if (marks_[v] == level_) continue;

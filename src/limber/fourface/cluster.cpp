@@ -36,11 +36,23 @@ struct Ring {
   std::array<std::uint32_t, 2> left;  // neighbours on each side that have not been swapped away
 };
 
+// A Vec3d that is not set to 0 when a plan begins, as most of an array for all possible neighbours is never used.
+struct Offset {
+  double x, y, z;
+  operator Vec3d() const { return {x, y, z}; }
+};
+
 // A triangle's area as a share of the largest that the sum of its squared edges allows.
 double shape(double doubled_area, double squares) {
   constexpr double kEquilateral = 3.4641016151377544;  // sqrt(12)
   return squares > 0 ? kEquilateral * doubled_area / squares : 0;
 }
+
+// A neighbour u that may be kept, and alpha C(u).
+struct Candidate {
+  double cost;
+  Place place;
+};
 
 class Planner {
  public:
@@ -56,6 +68,7 @@ class Planner {
 
  private:
   bool has_line() const { return line_[0] != kNoPlace; }
+  Vec3d at(Place i) const { return offset_[i]; }
   bool is_reduced(const Ring& ring) const { return ring.left[0] <= needed_[0] && ring.left[1] <= needed_[1]; }
   bool joined(Place a, Place b) const { return input_.faces.has_edge(star_.ring[a], star_.ring[b]); }
 
@@ -77,12 +90,12 @@ class Planner {
   const Star& star_;
   const ClusterOptions& options_;
 
-  PerNeighbour<Vec3d> offset_;                     // of the neighbours from v
+  PerNeighbour<Offset> offset_;                    // of the neighbours from v
   PerNeighbour<std::uint8_t> side_;                // 0, 1 or kOnLine: never swapped
   std::array<Place, 2> line_{kNoPlace, kNoPlace};  // the neighbours on the line through v
   std::array<std::uint32_t, 2> needed_{};          // neighbours of each side that stay
   Ring whole_;
-  PerNeighbour<std::pair<double, Place>> candidates_;  // [candidate_count_]: alpha C(u) and u, cheapest first
+  std::array<Candidate, kMostKept> candidates_;  // [candidate_count_], cheapest first, then by place
   std::uint32_t candidate_count_ = 0;
 };
 
@@ -120,7 +133,8 @@ bool Planner::find_sides() {
 void Planner::start_ring() {
   const Vec3d center = input_.positions[star_.center];
   for (std::uint32_t i = 0; i < star_.count; ++i) {
-    offset_[i] = input_.positions[star_.ring[i]] - center;
+    const Vec3d offset = input_.positions[star_.ring[i]] - center;
+    offset_[i] = {offset.x, offset.y, offset.z};
     whole_.previous[i] = static_cast<Place>(i == 0 ? star_.count - 1 : i - 1);
     whole_.next[i] = static_cast<Place>(i + 1 == star_.count ? 0 : i + 1);
   }
@@ -130,7 +144,7 @@ void Planner::start_ring() {
 
 // What swapping the edge to the neighbour at r costs, between the neighbours at s and t.
 double Planner::swap_cost(Place r, Place s, Place t) const {
-  const Vec3d &pr = offset_[r], &ps = offset_[s], &pt = offset_[t];
+  const Vec3d pr = offset_[r], ps = offset_[s], pt = offset_[t];
   const Vec3d inner = cross(ps, pt);
   const Vec3d both = cross(ps, pr) + cross(pr, pt);
   const Vec3d released = both - inner;
@@ -147,19 +161,23 @@ double Planner::swap_cost(Place r, Place s, Place t) const {
 
 void Planner::find_candidates() {
   const Quadric& own = input_.quadrics[star_.center];
-  const auto add = [&](Place i) {
-    const Index u = star_.ring[i];
-    const double error = own(input_.positions[u]) + input_.own_errors[u];
-    candidates_[candidate_count_++] = {options_.removal_weight * std::max(error, 0.0), i};
+  const auto add = [&](Place place) {
+    const Index u = star_.ring[place];
+    const Candidate added{options_.removal_weight * std::max(own(input_.positions[u]) + input_.own_errors[u], 0.0),
+                          place};
+    if (candidate_count_ < kMostKept)
+      ++candidate_count_;
+    else if (added.cost >= candidates_[kMostKept - 1].cost)
+      return;
+    std::uint32_t at = candidate_count_ - 1;
+    for (; at > 0 && added.cost < candidates_[at - 1].cost; --at) candidates_[at] = candidates_[at - 1];
+    candidates_[at] = added;
   };
   if (has_line()) {
     for (const Place i : line_) add(i);
   } else {
     for (std::uint32_t i = 0; i < star_.count; ++i) add(static_cast<Place>(i));
   }
-  const std::uint32_t tried = std::min(candidate_count_, kMostKept);
-  std::partial_sort(candidates_.begin(), candidates_.begin() + tried, candidates_.begin() + candidate_count_);
-  candidate_count_ = tried;
 }
 
 bool Planner::find_best(bool check_edges, ClusterPlan& best) {
@@ -167,7 +185,7 @@ bool Planner::find_best(bool check_edges, ClusterPlan& best) {
   ClusterPlan plan;
   Ring ring;
   for (std::uint32_t i = 0; i < candidate_count_; ++i) {
-    const auto& [removal, kept] = candidates_[i];
+    const auto [removal, kept] = candidates_[i];
     if (removal >= least) break;
     copy_ring(ring);
     plan.swap_count = 0;
@@ -240,10 +258,10 @@ double Planner::finish_three(const Ring& ring, Place u) const {
     if (across != kNone && input_.faces.origin(FaceTable::previous(across)) == star_.ring[(i + 2) % 3]) return kNever;
   }
   const Place s = ring.next[u], t = ring.next[s];
-  const Vec3d after = cross(offset_[s] - offset_[u], offset_[t] - offset_[u]);
+  const Vec3d after = cross(at(s) - at(u), at(t) - at(u));
   const double least = options_.fold_over_cosine * length(after);
   for (const auto& [a, b] : {std::pair{u, s}, std::pair{s, t}, std::pair{t, u}}) {
-    const Vec3d before = cross(offset_[a], offset_[b]);
+    const Vec3d before = cross(at(a), at(b));
     if (!(dot(before, after) > least * length(before))) return kNever;
   }
   return 0;
@@ -251,12 +269,12 @@ double Planner::finish_three(const Ring& ring, Place u) const {
 
 // Of the triangle (u, s, w) in the place of (v, u, s) and (v, s, w); kNever where it folds over.
 double Planner::triangle_cost(Place u, Place s, Place w) const {
-  const Vec3d before = cross(offset_[u], offset_[s]) + cross(offset_[s], offset_[w]);
-  const Vec3d after = before + cross(offset_[w], offset_[u]);
+  const Vec3d pu = at(u), ps = at(s), pw = at(w);
+  const Vec3d before = cross(pu, ps) + cross(ps, pw);
+  const Vec3d after = before + cross(pw, pu);
   const double squared = squared_length(before), area = length(after);
   if (!(dot(before, after) > options_.fold_over_cosine * std::sqrt(squared) * area)) return kNever;
-  const double squares = squared_length(offset_[s] - offset_[u]) + squared_length(offset_[w] - offset_[s]) +
-                         squared_length(offset_[u] - offset_[w]);
+  const double squares = squared_length(ps - pu) + squared_length(pw - ps) + squared_length(pu - pw);
   return options_.shape_weight * squared * (1 - shape(area, squares));
 }
 

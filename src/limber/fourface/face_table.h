@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "limber/base/mesh.h"
+#include "limber/contract/fetch.h"
 
 namespace limber {
 
@@ -70,6 +71,22 @@ class FaceTable {
   // Half-edges that start at the vertex; kNone where it has none (any more).
   Index outgoing(Index v) const { return outgoing_[v]; }
   bool is_complex(Index v) const { return complex_[v]; }
+
+  // Ask for the memory that gather() will need, in three steps, each some time before the next.
+  void fetch_vertex(Index v) const { fetch(&outgoing_[v]); }
+  void fetch_face(Index v) const {
+    if (outgoing_[v] != kNone) fetch(&faces_[face_of(outgoing_[v])]);
+  }
+  // visit(corner) for those of the face.
+  template <class Visit>
+  void fetch_faces(Index v, const Visit& visit) const {
+    if (outgoing_[v] == kNone) return;
+    const Face& f = faces_[face_of(outgoing_[v])];
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (f.twins[i] != kNone) fetch(&faces_[face_of(f.twins[i])]);
+      visit(f.corners[i]);
+    }
+  }
 
   // False where v has no faces, is complex, or has too many neighbours.
   bool gather(Index v, Star& star) const;

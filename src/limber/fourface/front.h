@@ -72,9 +72,9 @@ class Front {
   static bool settle(std::vector<Key>& heap, const Less& less, const IsCurrent& is_current);
 
   const FourKMesh* mesh_;
-  std::vector<Index> alive_;  // [triangles of the front]
-  std::vector<Index> place_;  // [mesh.triangle_count()]: in alive_; kNone for those that are not there
-  std::vector<Index> visit_;               // scratch
+  std::vector<Index> alive_;                // [triangles of the front]
+  std::vector<Index> place_;                // [mesh.triangle_count()]: in alive_; kNone for those that are not there
+  std::vector<Index> visit_;                // scratch
   std::vector<Key> to_apply_, to_reverse_;  // scratch: heaps
   Index changes_ = 0;
 };
