@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <set>
 
+#include "limber/fourface/creases.h"
 #include "tests/support/shapes.h"
 #include "tests/support/topology.h"
 
@@ -130,6 +131,17 @@ TEST(BuildFourK, KeepsTaggedEdgesAsALine) {
     EXPECT_FALSE(std::ranges::any_of(t, is_left) && std::ranges::any_of(t, is_right));
   }
   EXPECT_LT(coarsest(mesh).size(), 30u);
+}
+
+// The line turns at (7, 7), in the middle of a plane, where removing a vertex costs nothing else.
+TEST(BuildFourK, KeepsTheCornerOfATaggedLineToTheLast) {
+  const Shape plane = test::sheet(15, 15);
+  FourKTags tags;
+  for (Index i = 0; i < 7; ++i) tags.edges.push_back({i * 15 + 7, (i + 1) * 15 + 7});
+  for (Index i = 7; i < 14; ++i) tags.edges.push_back({7 * 15 + i, 7 * 15 + i + 1});
+  std::set<Index> left;
+  for (const Triangle& t : coarsest(build(plane, {.vertices = 12}, tags))) left.insert(t.begin(), t.end());
+  EXPECT_TRUE(left.contains(7 * 15 + 7));
 }
 
 TEST(BuildFourK, FindsTheEdgesOfACubeForCreases) {

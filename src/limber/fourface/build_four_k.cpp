@@ -2,10 +2,10 @@
 // Velho 2001, "Algorithm"; docs/design.md, "Four-face clusters", says where this differs and why.
 //
 //   build_four_k(M):
-//     a quadric for each vertex: its faces, and the lines through it              (start_quadrics)
+//     a quadric for each vertex: its faces, and the lines through it              (start_quadrics, tag_edge)
 //     for each level, until M is as small as asked for
-//       no face is marked; E(v) of all vertices, at the same time; a queue        (price_all)
-//       take v, the cheapest, from the queue, until enough is done
+//       no face is marked; C(v), at most E(v), of all vertices; a queue           (price_all)
+//       take v, the cheapest, from the queue, until enough is done                (run_level)
 //         plan its cluster as things are now; back into the queue if dearer
 //         unless a face of v is marked                                            (simplify_cluster)
 //           swap edges until v has four faces; remove v
@@ -129,11 +129,19 @@ void Builder::start_quadrics(const Mesh& mesh) {
   for (Index v = 0; v < mesh.vertex_count; ++v) own_error_[v] = quadrics_[v](positions_[v]);
 }
 
-// The planes that stand on the edge at right angles to its faces hold a line in place, as they do a border.
+// The planes that stand on the edge, at right angles to its faces, hold a line in place as they do a border.
 void Builder::tag_edge(Index a, Index b) {
-  if (faces_.outgoing(a) == kNone || faces_.outgoing(b) == kNone) return;
-  if (faces_.is_complex(a) && faces_.is_complex(b)) return;
-  faces_.tag_edge(a, b);
+  const Index edge = faces_.tag_edge(a, b);
+  if (edge == kNone) return;
+  for (const Index h : {edge, faces_.twin(edge)}) {
+    const Vec3d from = positions_[faces_.origin(h)], along = positions_[faces_.target(h)] - from;
+    const Vec3d across = cross(along, cross(along, positions_[faces_.origin(FaceTable::previous(h))] - from));
+    const double size = length(across);
+    if (!(size > 0)) continue;
+    const double weight = 0.5 * options_.quadrics.border_weight * squared_length(along);
+    const Quadric plane = Quadric::plane(across * (1 / size), from, weight);
+    add_quadric(a, plane), add_quadric(b, plane);
+  }
 }
 
 unsigned Builder::depth_of(const Star& star) const {
@@ -357,25 +365,6 @@ void make_monotone(FourKMesh& mesh, std::span<const Vec3f> positions, double sca
 }
 
 }  // namespace
-
-std::vector<std::array<Index, 2>> find_creases(const Mesh& mesh, std::span<const Vec3f> positions, double cosine) {
-  std::vector<std::array<Index, 2>> creases;
-  const FaceTable faces(mesh);
-  const auto normal = [&](Index f) {
-    const auto& [a, b, c] = faces.face(f).corners;
-    const auto p = static_cast<Vec3d>(positions[a]);
-    return cross(static_cast<Vec3d>(positions[b]) - p, static_cast<Vec3d>(positions[c]) - p);
-  };
-  for (Index f = 0; f < faces.face_slots(); ++f) {
-    for (Index i = 0; i < 3; ++i) {
-      const Index h = 4 * f + i, twin = faces.twin(h);
-      if (twin == kNone || twin < h) continue;
-      const Vec3d a = normal(f), b = normal(FaceTable::face_of(twin));
-      if (dot(a, b) < cosine * length(a) * length(b)) creases.push_back({faces.origin(h), faces.target(h)});
-    }
-  }
-  return creases;
-}
 
 FourKMesh build_four_k(const Mesh& mesh, std::span<const Vec3f> positions, const FourKOptions& options,
                        const FourKTags& tags, GoOnFunction go_on) {

@@ -36,9 +36,6 @@ struct FourKTags {
   std::vector<std::array<Index, 2>> edges;
 };
 
-// The edges of two triangles whose normals have an angle with less than this cosine, -1 to 1.
-std::vector<std::array<Index, 2>> find_creases(const Mesh& mesh, std::span<const Vec3f> positions, double cosine);
-
 // positions: [mesh.vertex_count], finite. go_on: as in contract.h; where it gives false the result is incomplete.
 FourKMesh build_four_k(const Mesh& mesh, std::span<const Vec3f> positions, const FourKOptions& options,
                        const FourKTags& tags = {}, GoOnFunction go_on = {});

@@ -139,17 +139,20 @@ bool FaceTable::has_edge(Index a, Index b) const {
   return false;
 }
 
-void FaceTable::tag_edge(Index a, Index b) {
+Index FaceTable::tag_edge(Index a, Index b) {
   if (complex_[a]) {
     const Index c = a;
     a = b, b = c;
   }
   Star star;
-  if (!gather(a, star)) return;
+  if (!gather(a, star)) return kNone;
   for (std::uint32_t i = 0; i < star.face_count(); ++i) {
     const Index h = star.spoke[i];
-    if (star.ring[i] == b && twin(h) != kNone) join(h, twin(h), true);
+    if (star.ring[i] != b || twin(h) == kNone) continue;
+    join(h, twin(h), true);
+    return h;
   }
+  return kNone;
 }
 
 void FaceTable::set(Index face, const std::array<Index, 3>& corners) {

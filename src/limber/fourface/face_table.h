@@ -65,8 +65,9 @@ class FaceTable {
   Index twin(Index half_edge) const { return faces_[half_edge >> 2].twins[half_edge & 3]; }
   bool is_line(Index half_edge) const { return faces_[half_edge >> 2].lines >> (half_edge & 3) & 1; }
 
-  // Makes a line of the edge between two vertices that are not both complex; nothing where there is none.
-  void tag_edge(Index a, Index b);
+  // Makes a line of the edge between two vertices. Gives a half-edge of it; kNone where there is no edge of two faces,
+  // or both vertices are complex.
+  Index tag_edge(Index a, Index b);
 
   // Half-edges that start at the vertex; kNone where it has none (any more).
   Index outgoing(Index v) const { return outgoing_[v]; }
