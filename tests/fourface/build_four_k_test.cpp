@@ -20,6 +20,14 @@ FourKMesh build(const Shape& shape, const FourKOptions& options = {}, const Four
 
 std::vector<Triangle> coarsest(const FourKMesh& mesh) { return triangles_after(mesh, mesh.operation_count()); }
 
+Shape without_faces() {
+  Shape shape;
+  shape.mesh.vertex_count = 3;
+  shape.mesh.triangles.push_back({0, 1, 1});
+  shape.positions.assign(3, Vec3f{});
+  return shape;
+}
+
 std::vector<Shape> shapes() {
   return {test::sheet(12, 9),
           test::waved(test::sheet(20, 20)),
@@ -29,8 +37,8 @@ std::vector<Shape> shapes() {
           test::together(test::sphere(2), test::sheet(5, 5), 4),
           test::quantized(test::jittered(test::sheet(10, 10), 0.4f, 2), 4),
           test::tetrahedron(),
-          {{0, {}}, {}},
-          {{3, {{0, 1, 1}}}, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}};
+          Shape{},
+          without_faces()};
 }
 
 TEST(BuildFourK, KeepsEveryInvariant) {
@@ -145,20 +153,11 @@ TEST(BuildFourK, KeepsTheCornerOfATaggedLineToTheLast) {
 }
 
 TEST(BuildFourK, FindsTheEdgesOfACubeForCreases) {
-  const Shape cube{{8,
-                    {{0, 2, 1},
-                     {0, 3, 2},
-                     {4, 5, 6},
-                     {4, 6, 7},
-                     {0, 1, 5},
-                     {0, 5, 4},
-                     {1, 2, 6},
-                     {1, 6, 5},
-                     {2, 3, 7},
-                     {2, 7, 6},
-                     {3, 0, 4},
-                     {3, 4, 7}}},
-                   {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}};
+  Shape cube;
+  cube.mesh.vertex_count = 8;
+  cube.mesh.triangles = {{0, 2, 1}, {0, 3, 2}, {4, 5, 6}, {4, 6, 7}, {0, 1, 5}, {0, 5, 4},
+                         {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}};
+  cube.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
   EXPECT_EQ(find_creases(cube.mesh, cube.positions, 0.5).size(), 12u);
   EXPECT_EQ(find_creases(cube.mesh, cube.positions, -0.5).size(), 0u);
 }
