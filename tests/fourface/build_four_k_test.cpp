@@ -29,16 +29,18 @@ Shape without_faces() {
 }
 
 std::vector<Shape> shapes() {
-  return {test::sheet(12, 9),
-          test::waved(test::sheet(20, 20)),
-          test::sheet_with_hole(12, 12),
-          test::sphere(3),
-          test::jittered(test::torus(12, 20), 0.05f, 1),
-          test::together(test::sphere(2), test::sheet(5, 5), 4),
-          test::quantized(test::jittered(test::sheet(10, 10), 0.4f, 2), 4),
-          test::tetrahedron(),
-          Shape{},
-          without_faces()};
+  std::vector<Shape> all;
+  all.push_back(test::sheet(12, 9));
+  all.push_back(test::waved(test::sheet(20, 20)));
+  all.push_back(test::sheet_with_hole(12, 12));
+  all.push_back(test::sphere(3));
+  all.push_back(test::jittered(test::torus(12, 20), 0.05f, 1));
+  all.push_back(test::together(test::sphere(2), test::sheet(5, 5), 4));
+  all.push_back(test::quantized(test::jittered(test::sheet(10, 10), 0.4f, 2), 4));
+  all.push_back(test::tetrahedron());
+  all.push_back(Shape{});
+  all.push_back(without_faces());
+  return all;
 }
 
 TEST(BuildFourK, KeepsEveryInvariant) {
