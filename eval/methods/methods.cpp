@@ -17,6 +17,8 @@ constexpr MethodInfo kOurs[] = {
      make_first_frame},
     {"rest-pose", "vertices of the first frame's simplification, as game engines do", false, Sees::kFirst,
      make_rest_pose},
+    {"four-face", "vertices of the first frame's simplification by four-face clusters (Velho)", false, Sees::kFirst,
+     make_four_face},
     {"dsd", "one clustering under the sum of all frames' errors (Mohr & Gleicher)", false, Sees::kMany, make_dsd},
     {"average", "one clustering under the largest of all frames' errors", false, Sees::kMany, make_average},
     {"pose-independent", "the first frame contracted under its quadrics in all frames (DeCoro & Rusinkiewicz)", false,

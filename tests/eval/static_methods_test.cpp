@@ -61,7 +61,7 @@ double sum(const std::vector<double>& values) {
 
 TEST_F(StaticMethods, KeepTheirTrianglesAndClusters) {
   for (const char* const name :
-       {"first-frame", "rest-pose", "dsd", "average", "pose-independent", "deformation-oriented"}) {
+       {"first-frame", "rest-pose", "four-face", "dsd", "average", "pose-independent", "deformation-oriented"}) {
     const std::vector<Approximation> all = run(name, frames_);
     for (const Approximation& made : all) {
       EXPECT_EQ(made.triangles, all[0].triangles) << name;
@@ -83,6 +83,13 @@ TEST_F(StaticMethods, RestPoseShowsVerticesOfTheInputInEveryFrame) {
       EXPECT_EQ(all[t].clusters[all[t].nodes[i]], placed[t].nodes[i]) << "of its own cluster";
     }
   }
+}
+
+TEST_F(StaticMethods, FourFaceShowsVerticesOfTheInputInEveryFrame) {
+  const std::vector<Approximation> all = run("four-face", frames_);
+  EXPECT_EQ(all[0].positions.size(), 80u);
+  for (std::size_t t = 0; t < all.size(); ++t)
+    for (std::size_t i = 0; i < all[t].nodes.size(); ++i) EXPECT_EQ(all[t].positions[i], frames_[t][all[t].nodes[i]]);
 }
 
 TEST_F(StaticMethods, SeeingAllFramesIsBetterThanSeeingTheFirst) {

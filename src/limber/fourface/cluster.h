@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// What it takes to remove a vertex: which swaps make its faces four, and which neighbour is kept (Velho 2001, steps 1
+// and 3).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "limber/base/quadric.h"
+#include "limber/base/vec.h"
+#include "limber/fourface/face_table.h"
+
+namespace limber {
+
+struct ClusterOptions {
+  double removal_weight = 1;      // alpha, of C(v), the quadric error at the neighbour that is kept, >= 0
+  double swap_weight = 5;         // beta, of S(v), what the swaps cost, >= 0
+  double shape_weight = 0.001;    // of badly shaped triangles, >= 0 (docs/design.md, "Four-face clusters")
+  double fold_over_cosine = 0.5;  // a new triangle may turn from those that it replaces by an angle with this cosine
+};
+
+// All that a plan looks at beside the faces; the arrays are by vertex.
+struct ClusterInput {
+  const FaceTable& faces;
+  std::span<const Vec3d> positions;
+  std::span<const Quadric> quadrics;
+  std::span<const double> own_errors;  // of each quadric at its vertex
+};
+
+struct ClusterPlan {
+  static constexpr std::uint32_t kMostSwaps = 12;  // vertices that take more are not removed, for now
+
+  // E(v) = alpha C(v) + beta S(v), and the term of the shape; >= 0.
+  float cost;
+  // Places in the star's ring: of the neighbour u that is kept; of the other end w of the new edge, or u's own where
+  // there is none, as v has three faces; of the far ends of the edges that are swapped, in order.
+  std::uint8_t kept, opposite, swap_count;
+  std::array<std::uint8_t, kMostSwaps> swaps;
+};
+
+// The cheapest way of removing star.center that folds nothing over and keeps lines: a vertex on a line is removed along
+// it, and one where lines end or meet is not. False: there is none. With check_edges none of the edges that the plan
+// creates is there already; without, that is left to creates_new_edges(), which few plans fail.
+bool plan_cluster(const ClusterInput& input, const Star& star, const ClusterOptions& options, bool check_edges,
+                  ClusterPlan& plan);
+
+// Whether none of the edges that the plan for the star creates is there already.
+bool creates_new_edges(const FaceTable& faces, const Star& star, const ClusterPlan& plan);
+
+}  // namespace limber

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "limber/fourface/front.h"
+
+#include <cassert>
+
+namespace limber {
+
+Front::Front(const FourKMesh& mesh) : mesh_(&mesh), place_(mesh.triangle_count(), kNone) {
+  for (Index t = 0; t < mesh.triangle_count(); ++t)
+    if (mesh.destroyer[t] == kNone) add(t);
+}
+
+void Front::list(std::vector<Triangle>& corners) const {
+  corners.resize(alive_.size());
+  for (std::size_t i = 0; i < alive_.size(); ++i) corners[i] = mesh_->triangles[alive_[i]];
+}
+
+void Front::apply(Index operation) {
+  assert(can_apply(operation));
+  for (const Index t : mesh_->destroyed_by(operation)) remove(t);
+  for (Index t = mesh_->created_begin[operation]; t < mesh_->created_begin[operation + 1]; ++t) add(t);
+  ++changes_;
+}
+
+void Front::reverse(Index operation) {
+  assert(can_reverse(operation));
+  for (Index t = mesh_->created_begin[operation]; t < mesh_->created_begin[operation + 1]; ++t) remove(t);
+  for (const Index t : mesh_->destroyed_by(operation)) add(t);
+  ++changes_;
+}
+
+void Front::add(Index triangle) {
+  place_[triangle] = static_cast<Index>(alive_.size());
+  alive_.push_back(triangle);
+}
+
+void Front::remove(Index triangle) {
+  const Index place = place_[triangle], last = alive_.back();
+  alive_[place] = last;
+  place_[last] = place;
+  alive_.pop_back();
+  place_[triangle] = kNone;
+}
+
+}  // namespace limber
