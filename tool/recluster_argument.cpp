@@ -31,10 +31,8 @@ struct Given {
 
 void declare_recluster(CLI::App& app, ReclusterOptions& options, const std::string& group) {
   const auto given = std::make_shared<Given>();
-  static const std::map<std::string, Follow> kFollows = {{"calm", Follow::kCalm},
-                                                         {"balanced", Follow::kBalanced},
-                                                         {"close", Follow::kClose},
-                                                         {"paper", Follow::kPaper}};
+  static const std::map<std::string, Follow> kFollows = {
+      {"calm", Follow::kCalm}, {"balanced", Follow::kBalanced}, {"close", Follow::kClose}, {"paper", Follow::kPaper}};
   app.add_option("--follow", given->follow,
                  "calm: fewer changes; close: nearer to every frame, and slower; paper: swaps alone, as Kircher and "
                  "Garland (balanced)")

@@ -46,7 +46,10 @@ void expect_is(const LevelGraph& graph, Index first, Index size, const std::vect
     ASSERT_EQ(listed.size(), neighbours[i].size()) << "a neighbour is listed twice";
     const bool fan = !across[i].empty() && neighbours[i] == by_triangles[i] && test::is_fan(across[i]);
     const bool closed = fan && across[i].size() == listed.size();
-    ASSERT_EQ(graph.star_of(first + i), !fan ? Star::kIrregular : closed ? Star::kClosed : Star::kBorder) << i;
+    ASSERT_EQ(graph.star_of(first + i), !fan     ? StarKind::kIrregular
+                                        : closed ? StarKind::kClosed
+                                                 : StarKind::kBorder)
+        << i;
     if (!fan) continue;
     std::set<std::pair<Index, Index>> sides;
     for (const auto& [q, r] : across[i]) sides.insert(std::minmax(q, r));
@@ -59,7 +62,7 @@ void expect_is(const LevelGraph& graph, Index first, Index size, const std::vect
 TEST(LevelGraph, PutsTheNeighboursOfAClosedStarInCyclicOrder) {
   const LevelGraph graph = finest(test::octahedron().mesh);
   for (Index v = 0; v < 6; ++v) {
-    EXPECT_EQ(graph.star_of(v), Star::kClosed);
+    EXPECT_EQ(graph.star_of(v), StarKind::kClosed);
     const std::vector<Index> ring = around(graph, v);
     ASSERT_EQ(ring.size(), 4u);
     EXPECT_EQ(ring[0] / 2, ring[2] / 2) << "opposite corners are 2 i and 2 i + 1";
@@ -69,20 +72,20 @@ TEST(LevelGraph, PutsTheNeighboursOfAClosedStarInCyclicOrder) {
 
 TEST(LevelGraph, PutsTheNeighboursOnABorderFromEndToEnd) {
   const LevelGraph graph = finest({5, {{0, 3, 4}, {0, 1, 2}, {0, 2, 3}}});
-  EXPECT_EQ(graph.star_of(0), Star::kBorder);
+  EXPECT_EQ(graph.star_of(0), StarKind::kBorder);
   const std::vector<Index> fan = around(graph, 0), reversed(fan.rbegin(), fan.rend());
   const std::vector<Index> expected = {1, 2, 3, 4};
   EXPECT_TRUE(fan == expected || reversed == expected);
-  EXPECT_EQ(graph.star_of(1), Star::kBorder);
+  EXPECT_EQ(graph.star_of(1), StarKind::kBorder);
 }
 
 TEST(LevelGraph, CallsIrregularWhatIsNoSingleFan) {
-  EXPECT_EQ(finest({1, {}}).star_of(0), Star::kIrregular);                                            // isolated
-  EXPECT_EQ(finest({5, {{0, 1, 2}, {0, 3, 4}}}).star_of(0), Star::kIrregular);                        // bow-tie
-  EXPECT_EQ(finest({5, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}}}).star_of(0), Star::kIrregular);             // three pages
-  EXPECT_EQ(finest({3, {{0, 1, 2}, {0, 2, 1}}}).star_of(0), Star::kIrregular);                        // back to back
-  EXPECT_EQ(finest({3, {{0, 1, 2}, {0, 1, 2}}}).star_of(0), Star::kIrregular);                        // repeated
-  EXPECT_EQ(finest({6, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {0, 4, 5}}}).star_of(0), Star::kIrregular);  // fan and fin
+  EXPECT_EQ(finest({1, {}}).star_of(0), StarKind::kIrregular);                                 // isolated
+  EXPECT_EQ(finest({5, {{0, 1, 2}, {0, 3, 4}}}).star_of(0), StarKind::kIrregular);             // bow-tie
+  EXPECT_EQ(finest({5, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}}}).star_of(0), StarKind::kIrregular);  // three pages
+  EXPECT_EQ(finest({3, {{0, 1, 2}, {0, 2, 1}}}).star_of(0), StarKind::kIrregular);             // back to back
+  EXPECT_EQ(finest({3, {{0, 1, 2}, {0, 1, 2}}}).star_of(0), StarKind::kIrregular);             // repeated
+  EXPECT_EQ(finest({6, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {0, 4, 5}}}).star_of(0), StarKind::kIrregular);  // fan and fin
 }
 
 TEST(LevelGraph, LeavesOutDegenerateTriangles) {
@@ -100,7 +103,7 @@ TEST(LevelGraph, KeepsANeckThatIsOnlyAnEdgeIfAsked) {
   EXPECT_TRUE(with.triangles.empty());
   EXPECT_EQ(with.edges, (std::vector<std::array<Index, 2>>{{7, 8}, {8, 9}}));
   EXPECT_EQ(around(with, 8), (std::vector<Index>{7, 9}));
-  EXPECT_EQ(with.star_of(8), Star::kIrregular);
+  EXPECT_EQ(with.star_of(8), StarKind::kIrregular);
   EXPECT_TRUE(around(without, 8).empty());
 }
 

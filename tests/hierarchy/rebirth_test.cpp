@@ -115,8 +115,7 @@ TEST(Rebirth, LeavesEverythingAsItWasWhereADeathFindsNoBirth) {
   ASSERT_EQ(count, 10u);
   const LevelGraph finest = test::graph_of(shape.mesh, {{0, count}, std::vector<Index>(count, kNone)}, 0, false);
   Hierarchy corners{{0, count, count + 4}, std::vector<Index>(count + 4, kNone)};
-  for (Index v = 0; v < count; ++v)
-    corners.parent[v] = count + (v < 4 ? v : std::ranges::min(finest.around(v)));
+  for (Index v = 0; v < count; ++v) corners.parent[v] = count + (v < 4 ? v : std::ranges::min(finest.around(v)));
   ASSERT_FALSE(Validator(shape.mesh, Topology::kPreserve)(corners));
   Clustering clusters(corners);
   for (Index v = 0; v < shape.mesh.vertex_count; ++v)

@@ -208,7 +208,8 @@ void swap_at_random(const Shape& shape, Hierarchy h, Topology topology, int roun
 }
 
 // Random deaths of clusters, each followed by a birth, so that no cluster stays empty; those that are allowed are made.
-void rebear_at_random(const Shape& shape, Hierarchy h, Topology topology, int rounds, std::uint64_t seed, Tally& tally) {
+void rebear_at_random(const Shape& shape, Hierarchy h, Topology topology, int rounds, std::uint64_t seed,
+                      Tally& tally) {
   Validator validator(shape.mesh, topology);
   ChildLists clusters(h);
   SwapValidity is_valid(h, clusters, topology);

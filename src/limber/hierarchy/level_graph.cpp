@@ -9,25 +9,25 @@ namespace limber {
 
 // Puts the neighbours of a node in cyclic order, starting at a border where there is one. sides_ says for each of them
 // which two stand beside it.
-Star LevelGraphBuilder::order_around(Index node, std::span<Index> neighbours) {
+StarKind LevelGraphBuilder::order_around(Index node, std::span<Index> neighbours) {
   const auto count = static_cast<Index>(neighbours.size());
-  if (count < 2) return Star::kIrregular;
+  if (count < 2) return StarKind::kIrregular;
   sides_.assign(count, {{kNone, kNone}, 0});
   for (Index i = incidence_begin_[node]; i < incidence_begin_[node + 1]; ++i) {
     const auto [from, to] = incidences_[i];
     if (to == kNone) continue;
     const Index a = mark_[from], b = mark_[to];
-    if (sides_[a].count == 2 || sides_[b].count == 2) return Star::kIrregular;
+    if (sides_[a].count == 2 || sides_[b].count == 2) return StarKind::kIrregular;
     sides_[a].other[sides_[a].count++] = b;
     sides_[b].other[sides_[b].count++] = a;
   }
   Index start = 0;
   unsigned open_count = 0;
   for (Index i = count; i-- > 0;) {
-    if (sides_[i].count == 0) return Star::kIrregular;
+    if (sides_[i].count == 0) return StarKind::kIrregular;
     if (sides_[i].count == 1) start = i, ++open_count;
   }
-  if (open_count != 0 && open_count != 2) return Star::kIrregular;
+  if (open_count != 0 && open_count != 2) return StarKind::kIrregular;
   ordered_.clear();
   Index previous = kNone, at = start;
   do {
@@ -36,10 +36,10 @@ Star LevelGraphBuilder::order_around(Index node, std::span<Index> neighbours) {
     previous = at;
     at = following;
   } while (at != start && at != kNone && ordered_.size() <= count);
-  if (ordered_.size() != count) return Star::kIrregular;  // more than one fan
-  if (open_count == 0 && (count < 3 || at != start)) return Star::kIrregular;
+  if (ordered_.size() != count) return StarKind::kIrregular;  // more than one fan
+  if (open_count == 0 && (count < 3 || at != start)) return StarKind::kIrregular;
   std::copy(ordered_.begin(), ordered_.end(), neighbours.begin());
-  return open_count == 0 ? Star::kClosed : Star::kBorder;
+  return open_count == 0 ? StarKind::kClosed : StarKind::kBorder;
 }
 
 void LevelGraphBuilder::find_neighbours(Index node_count, LevelGraph& graph) {

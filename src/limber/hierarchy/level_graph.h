@@ -12,7 +12,7 @@
 namespace limber {
 
 // How the triangles of a node lie around it.
-enum class Star : unsigned char {
+enum class StarKind : unsigned char {
   kClosed,     // one closed fan: neighbours in cyclic order
   kBorder,     // one open fan: neighbours from border to border
   kIrregular,  // anything else (isolated, non-manifold): neighbours in no particular order
@@ -24,14 +24,14 @@ struct LevelGraph {
   std::vector<std::array<Index, 2>> edges;  // images of finest edges; kept only where triangles may vanish around them
   std::vector<Index> begin;                 // [level_size + 1], into neighbours
   std::vector<Index> neighbours;            // nodes joined by an edge, each once
-  std::vector<Star> star;                   // [level_size]
+  std::vector<StarKind> star;               // [level_size]
 
   Index size() const { return static_cast<Index>(star.size()); }
   std::span<const Index> around(Index node) const {
     const Index i = node - first_node;
     return {neighbours.data() + begin[i], begin[i + 1] - begin[i]};
   }
-  Star star_of(Index node) const { return star[node - first_node]; }
+  StarKind star_of(Index node) const { return star[node - first_node]; }
 };
 
 // Makes level graphs; keeps its scratch memory between calls.
@@ -46,7 +46,7 @@ class LevelGraphBuilder {
 
  private:
   void find_neighbours(Index node_count, LevelGraph& graph);
-  Star order_around(Index node, std::span<Index> neighbours);
+  StarKind order_around(Index node, std::span<Index> neighbours);
 
   struct Incidence {
     Index from, to;  // the edge of a triangle across from a node, or an edge to `from` where `to` is kNone

@@ -36,9 +36,8 @@ void Rebirth::find_births(const LevelGraph& graph, double least) {
     }
     if (best.founder != kNone) births_.push_back(best);
   }
-  std::sort(births_.begin(), births_.end(), [](const Birth& a, const Birth& b) {
-    return a.gain != b.gain ? a.gain > b.gain : a.cluster < b.cluster;
-  });
+  std::sort(births_.begin(), births_.end(),
+            [](const Birth& a, const Birth& b) { return a.gain != b.gain ? a.gain > b.gain : a.cluster < b.cluster; });
 }
 
 // Those that may cost no more than `most`.
@@ -64,9 +63,8 @@ void Rebirth::find_deaths(const LevelGraph& graph, double most) {
     best.cost = -worth_.of_death(cluster, best.heir);
     deaths_.push_back(best);
   }
-  std::sort(deaths_.begin(), deaths_.end(), [](const Death& a, const Death& b) {
-    return a.cost != b.cost ? a.cost < b.cost : a.cluster < b.cluster;
-  });
+  std::sort(deaths_.begin(), deaths_.end(),
+            [](const Death& a, const Death& b) { return a.cost != b.cost ? a.cost < b.cost : a.cluster < b.cluster; });
 }
 
 void Rebirth::undo() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Births and deaths of clusters, which Kircher & Garland 2005 name as future work: a cluster that is hardly missed ends,
-// and another, that holds too much, is divided. In pairs, so that the sizes of the levels stay.
+// Births and deaths of clusters, which Kircher & Garland 2005 name as future work: a cluster that is hardly missed
+// ends, and another, that holds too much, is divided. In pairs, so that the sizes of the levels stay.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,8 @@
 namespace limber {
 
 struct RebirthOptions {
-  // What a birth must gain for every unit that the death costs, >= 1: above 1, pairs do not go to and fro. 0: no births.
+  // What a birth must gain for every unit that the death costs, >= 1: above 1, pairs do not go to and fro. 0: no
+  // births.
   double hysteresis = 1.5;
   // Births and deaths are looked for again on a level while they change more than this share of its clusters, >= 0.
   double again = 0.02;
@@ -55,8 +56,8 @@ class Rebirth {
   const Worth& worth_;
   std::vector<Birth> births_;
   std::vector<Death> deaths_;
-  std::vector<Move> moves_;       // of the death at work
-  std::vector<Index> heirs_;      // scratch
+  std::vector<Move> moves_;   // of the death at work
+  std::vector<Index> heirs_;  // scratch
   std::vector<Index> changed_;
   std::vector<char> is_locked_;  // [node_count]: has changed in this round
 };

@@ -32,8 +32,8 @@ namespace {
 constexpr double kPaperGrowth = 1.9127;
 constexpr double kLeastGrowth = 1, kMostGrowth = 3;  // beyond, the fit has met something else
 constexpr double kRounding = 1e-18;                  // of errors of a surface of unit size
-constexpr double kLikely = 0.5;  // an estimate of less than this share need not be looked at closely
-constexpr unsigned kMostRounds = 8;                  // of births and deaths on a level in a step
+constexpr double kLikely = 0.5;      // an estimate of less than this share need not be looked at closely
+constexpr unsigned kMostRounds = 8;  // of births and deaths on a level in a step
 
 }  // namespace
 

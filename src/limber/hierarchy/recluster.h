@@ -97,7 +97,7 @@ class Reclusterer {
   Rebirth rebirth_;
   VertexQuadrics vertex_quadrics_;
   LevelGraphBuilder graph_builder_;
-  std::vector<LevelGraph> graphs_;    // [level_count - 1]: levels whose nodes have parents
+  std::vector<LevelGraph> graphs_;  // [level_count - 1]: levels whose nodes have parents
   double growth_ = 0;
   double scale_ = 0;  // of the first frame's normalization, used for all
   bool first_ = true;
@@ -111,9 +111,9 @@ class Reclusterer {
   LevelFit fit_;
 
   std::vector<Candidate> candidates_of_node_;  // scratch of best_swap()
-  std::vector<Candidate> candidates_;  // scratch of a pass
-  std::vector<Index> pending_;         // nodes to look at in the next pass
-  std::vector<Index> mark_;            // [node_count]: pending when == pass_
+  std::vector<Candidate> candidates_;          // scratch of a pass
+  std::vector<Index> pending_;                 // nodes to look at in the next pass
+  std::vector<Index> mark_;                    // [node_count]: pending when == pass_
   Index pass_ = 0;
 };
 

@@ -13,10 +13,10 @@
 //
 // On coarser levels the ring is the same and the labels are the ancestors of that level.
 //
-// Births and deaths of clusters are neither in the paper. Where v is all that a has, its swap contracts the edge from a to
-// b: a has no run then, and that all others touch b's run or do not touch b at all is the link condition. It does not see
-// the case in which nothing is left to be a surface: with three runs, b must touch a fourth cluster. Where v founds a
-// cluster, that is the inverse: every label has one run, and a corner of the level needs at least three.
+// Births and deaths of clusters are neither in the paper. Where v is all that a has, its swap contracts the edge from a
+// to b: a has no run then, and that all others touch b's run or do not touch b at all is the link condition. It does
+// not see the case in which nothing is left to be a surface: with three runs, b must touch a fourth cluster. Where v
+// founds a cluster, that is the inverse: every label has one run, and a corner of the level needs at least three.
 #include "limber/hierarchy/swap_validity.h"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ bool SwapValidity::are_joined(const LevelGraph& graph, Index cluster, Index othe
                               Index except) const {
   return any_of(cluster, levels_up, [&](Index member) {
     if (member == except) return false;
-    if (other == kNone) return graph.star_of(member) != Star::kClosed;
+    if (other == kNone) return graph.star_of(member) != StarKind::kClosed;
     const auto around = graph.around(member);
     return std::any_of(around.begin(), around.end(),
                        [&](Index n) { return n != except && ancestor(n, levels_up) == other; });
@@ -45,7 +45,8 @@ bool SwapValidity::are_joined(const LevelGraph& graph, Index cluster, Index othe
 }
 
 bool SwapValidity::is_swappable(const LevelGraph& graph, Index node) const {
-  return topology_ == Topology::kFree || graph.star_of(node) != Star::kIrregular;  // no promise could be kept around it
+  return topology_ == Topology::kFree ||
+         graph.star_of(node) != StarKind::kIrregular;  // no promise could be kept around it
 }
 
 bool SwapValidity::is_beside(const LevelGraph& graph, Index node, Index cluster, Index levels_up) const {
@@ -60,7 +61,7 @@ bool SwapValidity::find_runs(const LevelGraph& graph, Index node, Index levels_u
     const Index label = ancestor(n, levels_up);
     if (runs_.empty() || runs_.back() != label) runs_.push_back(label);
   }
-  if (graph.star_of(node) == Star::kBorder)
+  if (graph.star_of(node) == StarKind::kBorder)
     runs_.push_back(kNone);
   else if (runs_.size() > 1 && runs_.front() == runs_.back())
     runs_.pop_back();
@@ -91,7 +92,7 @@ bool SwapValidity::keeps_homeomorphism(const LevelGraph& graph, Index node, Inde
 bool SwapValidity::touches_beyond_runs(const LevelGraph& graph, Index cluster, Index except) const {
   const auto has_run = [this](Index label) { return std::find(runs_.begin(), runs_.end(), label) != runs_.end(); };
   return any_of(cluster, 1, [&](Index member) {
-    if (graph.star_of(member) != Star::kClosed && !has_run(kNone)) return true;
+    if (graph.star_of(member) != StarKind::kClosed && !has_run(kNone)) return true;
     const auto around = graph.around(member);
     return std::any_of(around.begin(), around.end(),
                        [&](Index n) { return n != except && !has_run(hierarchy_.parent[n]); });
@@ -149,10 +150,9 @@ bool SwapValidity::may_end(const LevelGraph& graph, Index node, Index to) {
   const Index from = hierarchy_.parent[node];
   assert(children_.first_child(from) == node && children_.next_sibling(node) == kNone && from != to);
   if (!is_swappable(graph, node)) return false;
-  if (topology_ == Topology::kPreserve
-          ? !find_runs(graph, node, 1) || !keeps_contacts(graph, node, from, to, 1) ||
-                (runs_.size() <= 3 && !touches_beyond_runs(graph, to, node))
-          : !is_beside(graph, node, to, 1))
+  if (topology_ == Topology::kPreserve ? !find_runs(graph, node, 1) || !keeps_contacts(graph, node, from, to, 1) ||
+                                             (runs_.size() <= 3 && !touches_beyond_runs(graph, to, node))
+                                       : !is_beside(graph, node, to, 1))
     return false;
   return is_valid_from(graph, node, hierarchy_.parent[from], hierarchy_.parent[to], 2);
 }

@@ -37,7 +37,7 @@ Validator::Validator(const Mesh& mesh, Topology topology)
   finest_shapes_ = shapes(finest_, component_);
   is_manifold_.assign(component_count_, 1);
   for (Index v = 0; v < mesh.vertex_count; ++v)
-    if (finest_.star_of(v) == Star::kIrregular) is_manifold_[component_[v]] = 0;
+    if (finest_.star_of(v) == StarKind::kIrregular) is_manifold_[component_[v]] = 0;
 }
 
 std::optional<Violation> Validator::check_tree(const Hierarchy& hierarchy) const {
@@ -121,10 +121,10 @@ std::optional<Violation> Validator::check_shape(const Hierarchy& hierarchy, Inde
   std::vector<unsigned char> regular(size, 1);
   for (Index v = 0; v < mesh_.vertex_count; ++v) {
     component_of_node[ancestor_[v] - first] = component_[v];
-    if (finest_.star_of(v) == Star::kIrregular) regular[ancestor_[v] - first] = 0;
+    if (finest_.star_of(v) == StarKind::kIrregular) regular[ancestor_[v] - first] = 0;
   }
   for (Index i = 0; i < size; ++i)
-    if (regular[i] && image_.star[i] == Star::kIrregular) return Violation{kName, level, first + i};
+    if (regular[i] && image_.star[i] == StarKind::kIrregular) return Violation{kName, level, first + i};
 
   const std::vector<Shape> image_shapes = shapes(image_, component_of_node);
   for (Index c = 0; c < component_count_; ++c)
