@@ -106,8 +106,8 @@ TEST_P(EveryContraction, TakesAFanOfManyTrianglesInReasonableTime) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Contraction, EveryContraction, testing::Values(Placement::kQuadric, Placement::kVolume),
-                         [](const auto& info) {
-                           return std::string(info.param == Placement::kQuadric ? "ByQuadrics" : "ByVolume");
+                         [](const auto& tested) {
+                           return std::string(tested.param == Placement::kQuadric ? "ByQuadrics" : "ByVolume");
                          });
 
 }  // namespace

@@ -84,12 +84,19 @@ inline Shape waved(const Shape& flat) {
 }
 
 inline Shape tetrahedron() {
-  return {{4, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}}, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  Shape shape;
+  shape.mesh.vertex_count = 4;
+  shape.mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  shape.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  return shape;
 }
 
 inline Shape octahedron() {
-  return {{6, {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}},
-          {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
+  Shape shape;
+  shape.mesh.vertex_count = 6;
+  shape.mesh.triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+  shape.positions = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  return shape;
 }
 
 // Every triangle cut into four.

@@ -22,6 +22,9 @@ namespace limber {
 namespace {
 
 constexpr Index kSamplesPerNode = 6;
+// Weight of a node's way, against the pulls at it: what keeps it from far places along a surface that says little about
+// them.
+constexpr double kDamping = 0.003;
 constexpr double kFacing = 0.7;  // the least length of the mean normal of a surface that faces one way
 constexpr int kHalvings = 3;     // before a node is drawn back for good
 
@@ -163,6 +166,7 @@ void LevelFit::move(std::span<const Quadric> quadrics, double anchor, std::span<
     q.bz += q.xz * x.x + q.yz * x.y + q.zz * x.z;
     q *= anchor;
     q += p;
+    q.add_point({}, kDamping * (p.xx + p.yy + p.zz));
     const Vec3d way = minimum(q).point;
     const double left = std::max(p(way), 0.0);
     if (!std::isfinite(left)) continue;  // millions of times larger than the first frame

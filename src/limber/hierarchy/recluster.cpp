@@ -35,6 +35,11 @@ constexpr double kRounding = 1e-18;                  // of errors of a surface o
 constexpr double kLikely = 0.5;      // an estimate of less than this share need not be looked at closely
 constexpr unsigned kMostRounds = 8;  // of births and deaths on a level in a step
 
+// Of candidates; the same order everywhere.
+constexpr auto kMoreBenefit = [](const auto& a, const auto& b) {
+  return a.benefit != b.benefit ? a.benefit > b.benefit : a.node != b.node ? a.node < b.node : a.to < b.to;
+};
+
 }  // namespace
 
 ReclusterOptions recluster_options(Follow follow) {
@@ -118,7 +123,7 @@ Reclusterer::Candidate Reclusterer::best_swap(const LevelGraph& graph, Index nod
   if (!first_ && !(worth_.about_release(node) - least_burden > kLikely * least_benefit)) return none;
   const double release = worth_.release(node);
   for (Candidate& c : candidates_of_node_) c.benefit = worth_.of_swap(node, c.to, release);
-  std::ranges::sort(candidates_of_node_, std::ranges::greater{}, &Candidate::benefit);
+  std::sort(candidates_of_node_.begin(), candidates_of_node_.end(), kMoreBenefit);
   for (const Candidate& c : candidates_of_node_) {
     if (!(c.benefit > least_benefit)) return none;
     if (is_valid_(graph, node, c.to)) return c;
@@ -146,9 +151,7 @@ void Reclusterer::make_swaps(const LevelGraph& graph, double least_benefit) {
     candidates_.clear();
     for (const Index node : pending_)
       if (const Candidate c = best_swap(graph, node, least_benefit); c.node != kNone) candidates_.push_back(c);
-    std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& a, const Candidate& b) {
-      return a.benefit != b.benefit ? a.benefit > b.benefit : a.node < b.node;
-    });
+    std::sort(candidates_.begin(), candidates_.end(), kMoreBenefit);
     pending_.clear();
     ++pass_;
     for (const Candidate& c : candidates_) {
