@@ -123,7 +123,8 @@ TEST_F(Build, RefusesArgumentsThatMakeNoSense) {
 TEST_F(Build, EveryOptionGivesASoundStream) {
   const std::vector<std::vector<std::string>> all = {
       {"--topology", "free"}, {"--branching", "2"},      {"--base-frames", "1"}, {"--threshold", "0"},   {"--fit", "0"},
-      {"--keys", "1"},        {"--coarser-weight", "1"}, {"--growth", "1.9127"}, {"--tolerance", "0.01"}};
+      {"--keys", "1"},        {"--coarser-weight", "1"}, {"--growth", "1.9127"}, {"--tolerance", "0.01"}, {"--follow", "calm"},
+      {"--follow", "close"},  {"--follow", "paper"},     {"--hysteresis", "0"}};
   for (const auto& options : all) {
     const std::string made = stream("a.limber", [&] {
       auto with_force = options;
@@ -133,6 +134,18 @@ TEST_F(Build, EveryOptionGivesASoundStream) {
     const Ran checked = run({"check", made, "--all", "--against", kSample});
     EXPECT_EQ(checked.exit, Exit::kDone) << options[0] << ": " << checked.out << checked.err;
   }
+}
+
+TEST_F(Build, TheNumbersBehindFollowMayBeGivenByThemselvesBeforeItOrAfterIt) {
+  const auto made = [this](std::vector<std::string> options) {
+    options.push_back("-f");
+    return bytes(stream("a.limber", options));
+  };
+  const std::string calm = made({"--follow", "calm"});
+  EXPECT_NE(calm, made({}));
+  EXPECT_EQ(calm, made({"--threshold", "0.2", "--hysteresis", "3"}));
+  EXPECT_EQ(made({}), made({"--follow", "balanced"}));
+  EXPECT_EQ(made({}), made({"--threshold", "0.05", "--follow", "calm", "--hysteresis", "1.5"}));
 }
 
 TEST_F(Build, RefusesAClipThatIsMeshedAnewInEveryFrame) {
