@@ -102,7 +102,7 @@ TEST_F(ExtractVerb, BlendsChangesBetweenFrames) {
   const auto blended = extract("c%d.ply", {"--blend", "4"});
   EXPECT_EQ(blended["blend"], 4);
   Index more = 0;
-  for (int frame = 0; frame < static_cast<int>(plain["frames"].size()); ++frame) {
+  for (std::size_t frame = 0; frame < plain["frames"].size(); ++frame) {
     const std::string number = std::to_string(frame) + ".ply";
     EXPECT_EQ(bytes(path("a" + number)), bytes(path("b" + number)));
     ASSERT_GE(blended["frames"][frame]["vertices"], plain["frames"][frame]["vertices"]);
