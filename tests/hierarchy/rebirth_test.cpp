@@ -140,7 +140,9 @@ TEST(Rebirth, KeepsEveryInvariantOnRandomShapes) {
     for (const Topology topology : {Topology::kPreserve, Topology::kFree}) {
       Validator validator(shape.mesh, topology);
       for (const Index level : {0u, 1u, 2u}) {
-        Scene scene(test::jittered(shape, 0.1f, level), 2.5, topology, level);
+        const Shape rough = test::jittered(shape, 0.1f, level);
+        if (level + 2 > test::built(rough, 2.5, topology).level_count()) continue;  // the top has no clusters above
+        Scene scene(rough, 2.5, topology, level);
         for (int round = 0; round < 20; ++round) {
           // Almost no hysteresis: what would never pay is made, too.
           changed += scene.rebirth.pair_up(scene.graph, -1, {.hysteresis = 1e-6}).size();
