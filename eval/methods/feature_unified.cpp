@@ -15,6 +15,7 @@
 #include "eval/methods/feature_weight.h"
 #include "eval/methods/merged_mesh.h"
 #include "limber/base/portable_math.h"
+#include "limber/base/triangles.h"
 
 namespace limber::eval {
 namespace {
@@ -63,10 +64,8 @@ UnifiedMesh contracted_mesh(const Mesh& mesh, std::span<const FeatureContraction
   UnifiedMesh out;
   find_roots(mesh.vertex_count, merges, out.clusters);
   out.nodes.assign(mesh.vertex_count, kNone);
-  for (const Triangle& t : mesh.triangles) {
-    const Triangle image{out.clusters[t[0]], out.clusters[t[1]], out.clusters[t[2]]};
-    if (is_degenerate(image)) continue;
-    out.mesh.triangles.push_back(image);
+  list_images(mesh.triangles, out.clusters, out.mesh.triangles);
+  for (const Triangle& image : out.mesh.triangles) {
     for (const Index corner : image) out.nodes[corner] = 0;
   }
   for (Index v = 0; v < mesh.vertex_count; ++v) {

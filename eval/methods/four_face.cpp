@@ -9,6 +9,7 @@
 
 #include "eval/methods/factories.h"
 #include "eval/methods/thread_time.h"
+#include "limber/base/triangles.h"
 #include "limber/fourface/build_four_k.h"
 
 namespace limber::eval {
@@ -22,17 +23,8 @@ class FourFace final : public Method {
     const FourKMesh made =
         build_four_k(mesh, seen[0], {.vertices = options_.vertices, .triangles = options_.triangles, .may_fold = true});
     triangles_ = triangles_after(made, made.operation_count());
-    std::vector<Index> place(mesh.vertex_count, kNone);
-    for (Triangle& triangle : triangles_) {
-      for (Index& corner : triangle) {
-        Index& at = place[corner];
-        if (at == kNone) {
-          at = static_cast<Index>(vertices_.size());
-          vertices_.push_back(corner);
-        }
-        corner = at;
-      }
-    }
+    std::vector<Index> place;
+    renumber(triangles_, mesh.vertex_count, vertices_, place);
     find_clusters(made);
   }
 

@@ -42,9 +42,7 @@ class Improved final : public Method {
     const std::span<const Vec3f> frames[] = {positions};
     Contractor contractor(*mesh_, frames, options_.contract);
     contract_to_size(contractor, *mesh_, options_);
-    ReclusterOptions recluster = recluster_options(Follow::kPaper);
-    recluster.topology = options_.contract.topology;
-    recluster.quadrics = options_.contract.quadrics;
+    ReclusterOptions recluster = as_contracted(recluster_options(Follow::kPaper), options_.contract);
     recluster.threshold = 0;
     TwoLevels levels = two_levels(contractor, mesh_->vertex_count);
     const double contract_seconds = contracting.seconds();

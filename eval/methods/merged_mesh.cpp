@@ -3,6 +3,8 @@
 
 #include <numeric>
 
+#include "limber/base/triangles.h"
+
 namespace limber::eval {
 
 void find_roots(Index vertex_count, std::span<const FeatureContraction::Merge> merges, std::vector<Index>& roots) {
@@ -14,24 +16,11 @@ void find_roots(Index vertex_count, std::span<const FeatureContraction::Merge> m
 
 void list_merged(const Mesh& mesh, std::span<const Index> roots, const FeatureContraction& contraction,
                  const Normalization& normalize, std::vector<Index>& place, Approximation& out) {
-  out.triangles.clear();
+  list_images(mesh.triangles, roots, out.triangles);
+  renumber(out.triangles, mesh.vertex_count, out.nodes, place);
   out.positions.clear();
-  out.nodes.clear();
-  place.assign(mesh.vertex_count, kNone);
-  for (const Triangle& t : mesh.triangles) {
-    Triangle image{roots[t[0]], roots[t[1]], roots[t[2]]};
-    if (is_degenerate(image)) continue;
-    for (Index& corner : image) {
-      Index& at = place[corner];
-      if (at == kNone) {
-        at = static_cast<Index>(out.positions.size());
-        out.positions.push_back(normalize.from_unit(static_cast<Vec3d>(contraction.position(corner, 0))));
-        out.nodes.push_back(corner);
-      }
-      corner = at;
-    }
-    out.triangles.push_back(image);
-  }
+  for (const Index root : out.nodes)
+    out.positions.push_back(normalize.from_unit(static_cast<Vec3d>(contraction.position(root, 0))));
 }
 
 }  // namespace limber::eval

@@ -39,10 +39,8 @@ class Multilevel final : public Method {
     if (build.level_sizes.empty() && options_.vertices > 0) {
       build.level_sizes = levels_around(mesh.vertex_count, options_.vertices, options_.branching);
     }
-    ReclusterOptions recluster = options_.recluster;
-    recluster.topology = options_.contract.topology;
-    recluster.quadrics = options_.contract.quadrics;
-    follower_.emplace(mesh, build_hierarchy(mesh, seen, build), recluster, cut_to_size(options_), options_.blend);
+    follower_.emplace(mesh, build_hierarchy(mesh, seen, build), as_contracted(options_.recluster, options_.contract),
+                      cut_to_size(options_), options_.blend);
   }
 
   void frame(std::span<const Vec3f> positions, Approximation& out) override { follower_->frame(positions, out); }

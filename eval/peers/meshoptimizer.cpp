@@ -18,6 +18,7 @@
 
 #include "eval/methods/thread_time.h"
 #include "eval/peers/factories.h"
+#include "limber/base/triangles.h"
 
 namespace limber::eval {
 namespace {
@@ -48,19 +49,12 @@ class Meshoptimizer final : public Method {
     out.adapt_seconds = made.seconds;
 
     const ThreadTimer extracting;
-    std::vector<Index> place(mesh_->vertex_count, kNone);
-    out.nodes.clear();
-    out.positions.clear();
     out.triangles.resize(made.corners.size() / 3);
-    for (std::size_t i = 0; i < made.corners.size(); ++i) {
-      const Index vertex = made.corners[i];
-      if (place[vertex] == kNone) {
-        place[vertex] = static_cast<Index>(out.nodes.size());
-        out.nodes.push_back(vertex);
-        out.positions.push_back(positions[vertex]);
-      }
-      out.triangles[i / 3][i % 3] = place[vertex];
-    }
+    for (std::size_t i = 0; i < made.corners.size(); ++i) out.triangles[i / 3][i % 3] = made.corners[i];
+    std::vector<Index> place;
+    renumber(out.triangles, mesh_->vertex_count, out.nodes, place);
+    out.positions.clear();
+    for (const Index vertex : out.nodes) out.positions.push_back(positions[vertex]);
     out.extract_seconds = extracting.seconds();
     out.clusters.clear();
   }

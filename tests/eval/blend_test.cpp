@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "eval/distance.h"
+#include "limber/base/triangles.h"
 #include "limber/clip/clip.h"
 #include "limber/hierarchy/build.h"
 #include "limber/hierarchy/recluster.h"
@@ -16,10 +17,7 @@ namespace {
 
 std::vector<Triangle> images(const Mesh& mesh, std::span<const Index> labels) {
   std::vector<Triangle> images;
-  for (const Triangle& t : mesh.triangles) {
-    const Triangle image{labels[t[0]], labels[t[1]], labels[t[2]]};
-    if (!is_degenerate(image)) images.push_back(image);
-  }
+  list_images(mesh.triangles, labels, images);
   return images;
 }
 

@@ -11,18 +11,16 @@
 namespace limber {
 namespace {
 
-struct Loaded {
-  Mesh mesh;
-  std::vector<Vec3f> positions;
-};
-
-Loaded load(const std::filesystem::path& path) {
+// Of the mesh in a file, and valid.
+FourKMesh built(const std::filesystem::path& path) {
   auto clip = open_clip(path.string(), {});
   EXPECT_TRUE(clip) << path;
-  Loaded loaded{(*clip)->mesh(), {}};
-  loaded.positions.resize(loaded.mesh.vertex_count);
-  EXPECT_TRUE((*clip)->read(loaded.positions));
-  return loaded;
+  const Mesh& mesh = (*clip)->mesh();
+  std::vector<Vec3f> positions(mesh.vertex_count);
+  EXPECT_TRUE((*clip)->read(positions));
+  FourKMesh made = build_four_k(mesh, positions, {});
+  EXPECT_EQ(validate(made, positions), nullptr) << path;
+  return made;
 }
 
 // The slides' ratios per level are .655 to .692.
@@ -30,9 +28,7 @@ TEST(RealFourK, LosesAThirdOfTheTrianglesPerLevelAndHasLogarithmicHeight) {
   LIMBER_DATA_SET(folder, "static");
   for (const char* const name :
        {"stanford-bunny.obj", "cow.obj", "mountain.obj", "nefertiti-70k.obj", "lucy100k.ply"}) {
-    const Loaded in = load(folder / name);
-    const FourKMesh mesh = build_four_k(in.mesh, in.positions, {});
-    EXPECT_EQ(validate(mesh, in.positions), nullptr) << name;
+    const FourKMesh mesh = built(folder / name);
     EXPECT_LE(height(mesh).clusters, 2.5 * std::log2(mesh.finest_count)) << name;
     double before = mesh.finest_count;
     for (Index level = 1; level <= 8; ++level) {
@@ -48,9 +44,7 @@ TEST(RealFourK, HoldsWhatCannotBeSimplifiedAsItIs) {
   LIMBER_DATA_SET(folder, "static");
   for (const char* const name :
        {"truck-nonmanifold.obj", "blobby-shuffled.off", "teapot.obj", "beetle.obj", "cessna.obj"}) {
-    const Loaded in = load(folder / name);
-    const FourKMesh mesh = build_four_k(in.mesh, in.positions, {});
-    EXPECT_EQ(validate(mesh, in.positions), nullptr) << name;
+    const FourKMesh mesh = built(folder / name);
     EXPECT_GT(mesh.operation_count(), 0u) << name;
   }
 }

@@ -23,6 +23,14 @@ TEST(ChildLists, ListTheChildrenOfEveryNodeInTheirOrder) {
   EXPECT_TRUE(children(lists, 0).empty());
 }
 
+TEST(ChildLists, AreWalkedThroughInTheirOrder) {
+  const ChildLists lists(Hierarchy{{0, 4, 6}, {4, 5, 4, 4, kNone, kNone}});
+  std::vector<Index> met;
+  for (const Index child : lists.of(4)) met.push_back(child);
+  EXPECT_EQ(met, (std::vector<Index>{0, 2, 3}));
+  for (const Index child : lists.of(0)) ADD_FAILURE() << "a finest vertex has the child " << child;
+}
+
 TEST(ChildLists, FollowRandomMovesAsTheParentsDo) {
   Hierarchy h = test::built(test::jittered(test::sphere(3), 0.1f, 1), 4, Topology::kFree);
   ChildLists lists(h);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "eval/closest_point.h"
+#include "limber/base/triangles.h"
 #include "limber/contract/vertex_quadrics.h"
 #include "tests/support/hierarchies.h"
 
@@ -62,12 +63,8 @@ struct Levels {
   }
 
   std::vector<Triangle> triangles(Index level) const {
-    const std::vector<Index> cluster = test::ancestors(hierarchy, level);
     std::vector<Triangle> triangles;
-    for (const Triangle& t : shape.mesh.triangles) {
-      const Triangle image{cluster[t[0]], cluster[t[1]], cluster[t[2]]};
-      if (!is_degenerate(image)) triangles.push_back(image);
-    }
+    list_images(shape.mesh.triangles, test::ancestors(hierarchy, level), triangles);
     return triangles;
   }
 

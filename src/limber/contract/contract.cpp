@@ -18,6 +18,7 @@
 #include <cassert>
 #include <utility>
 
+#include "limber/base/triangles.h"
 #include "limber/contract/volume_contractor.h"
 
 namespace limber {
@@ -168,22 +169,11 @@ std::unique_ptr<Contraction> start_contraction(const Mesh& mesh, std::span<const
 
 Simplified simplified_mesh(const Contraction& contraction, const Mesh& mesh, std::size_t frame) {
   Simplified out;
-  std::vector<Index> representative(mesh.vertex_count), new_index(mesh.vertex_count, kNone);
+  std::vector<Index> representative(mesh.vertex_count), number;
   for (Index v = 0; v < mesh.vertex_count; ++v) representative[v] = contraction.representative(v);
-  for (const Triangle& t : mesh.triangles) {
-    Triangle image{representative[t[0]], representative[t[1]], representative[t[2]]};
-    if (is_degenerate(image)) continue;
-    for (Index& corner : image) {
-      Index& index = new_index[corner];
-      if (index == kNone) {
-        index = static_cast<Index>(out.vertices.size());
-        out.vertices.push_back(corner);
-        out.positions.push_back(contraction.position(corner, frame));
-      }
-      corner = index;
-    }
-    out.mesh.triangles.push_back(image);
-  }
+  list_images(mesh.triangles, representative, out.mesh.triangles);
+  renumber(out.mesh.triangles, mesh.vertex_count, out.vertices, number);
+  for (const Index v : out.vertices) out.positions.push_back(contraction.position(v, frame));
   out.mesh.vertex_count = static_cast<Index>(out.vertices.size());
   return out;
 }

@@ -24,6 +24,34 @@ class ChildLists {
   Index first_child(Index node) const { return first_child_[node]; }
   Index next_sibling(Index node) const { return next_[node]; }
 
+  // for (const Index child : lists.of(node)): the lists must not change meanwhile.
+  class Children {
+   public:
+    class Iterator {
+     public:
+      Iterator(const ChildLists& lists, Index node) : lists_(&lists), node_(node) {}
+      Index operator*() const { return node_; }
+      Iterator& operator++() {
+        node_ = lists_->next_[node_];
+        return *this;
+      }
+      bool operator!=(const Iterator& o) const { return node_ != o.node_; }
+
+     private:
+      const ChildLists* lists_;
+      Index node_;
+    };
+
+    Children(const ChildLists& lists, Index node) : lists_(lists), node_(node) {}
+    Iterator begin() const { return {lists_, lists_.first_child_[node_]}; }
+    Iterator end() const { return {lists_, kNone}; }
+
+   private:
+    const ChildLists& lists_;
+    Index node_;
+  };
+  Children of(Index node) const { return {*this, node}; }
+
   // Precondition: `node` is the child of none.
   void add(Index node, Index parent) {
     Index& first = first_child_[parent];

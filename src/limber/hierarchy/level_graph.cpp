@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "limber/base/triangles.h"
 #include "limber/contract/edges.h"
 
 namespace limber {
@@ -95,12 +96,8 @@ void LevelGraphBuilder::build_coarser(const Hierarchy& hierarchy, Index level, c
                                       LevelGraph& out) {
   const std::vector<Index>& parent = hierarchy.parent;
   out.first_node = hierarchy.level_begin[level];
-  out.triangles.clear();
+  list_images(finer.triangles, parent, out.triangles);
   out.edges.clear();
-  for (const auto& [a, b, c] : finer.triangles) {
-    const Triangle image{parent[a], parent[b], parent[c]};
-    if (!is_degenerate(image)) out.triangles.push_back(image);
-  }
   for (const auto& [a, b] : finer.edges)
     if (parent[a] != parent[b]) out.edges.push_back({std::min(parent[a], parent[b]), std::max(parent[a], parent[b])});
   if (!out.edges.empty()) {

@@ -13,13 +13,6 @@
 #include <algorithm>
 
 namespace limber {
-namespace {
-
-// An estimate that is less than this share of what it would have to be need not be looked at closely.
-constexpr double kLikely = 0.5;
-
-}  // namespace
-
 void Rebirth::find_births(const LevelGraph& graph, double least) {
   births_.clear();
   const Hierarchy& h = clusters_.hierarchy();
@@ -27,11 +20,9 @@ void Rebirth::find_births(const LevelGraph& graph, double least) {
   for (Index cluster = h.level_begin[level]; cluster < h.level_begin[level + 1]; ++cluster) {
     if (clusters_.has_one_child(cluster) || !(clusters_.energy(cluster) > least)) continue;
     Birth best{least, cluster, kNone};
-    for (Index child = clusters_.children().first_child(cluster); child != kNone;
-         child = clusters_.children().next_sibling(child)) {
-      if (!(worth_.about_release(child) > kLikely * least)) continue;
-      const double left = minimum(clusters_.quadric(cluster) - clusters_.quadric(child)).value;
-      const double gain = clusters_.energy(cluster) - clusters_.energy(child) - left;
+    for (const Index child : clusters_.children().of(cluster)) {
+      if (!(worth_.about_release(child) > Worth::kLikely * least)) continue;
+      const double gain = worth_.release(child) - clusters_.energy(child);
       if (gain > best.gain) best.gain = gain, best.founder = child;
     }
     if (best.founder != kNone) births_.push_back(best);
@@ -47,8 +38,7 @@ void Rebirth::find_deaths(const LevelGraph& graph, double most) {
   const Index level = h.level_of(graph.first_node) + 1;
   for (Index cluster = h.level_begin[level]; cluster < h.level_begin[level + 1]; ++cluster) {
     heirs_.clear();
-    for (Index child = clusters_.children().first_child(cluster); child != kNone;
-         child = clusters_.children().next_sibling(child))
+    for (const Index child : clusters_.children().of(cluster))
       for (const Index n : graph.around(child))
         if (const Index heir = clusters_.parent(n);
             heir != cluster && std::find(heirs_.begin(), heirs_.end(), heir) == heirs_.end())
@@ -59,7 +49,7 @@ void Rebirth::find_deaths(const LevelGraph& graph, double most) {
       const double burden = worth_.about_burden(clusters_.quadric(cluster), heir);
       if (best.heir == kNone || burden < best.cost) best.cost = burden, best.heir = heir;
     }
-    if (best.heir == kNone || kLikely * (best.cost - clusters_.energy(cluster)) > most) continue;
+    if (best.heir == kNone || Worth::kLikely * (best.cost - clusters_.energy(cluster)) > most) continue;
     best.cost = -worth_.of_death(cluster, best.heir);
     deaths_.push_back(best);
   }
@@ -68,7 +58,7 @@ void Rebirth::find_deaths(const LevelGraph& graph, double most) {
 }
 
 void Rebirth::undo() {
-  for (; !moves_.empty(); moves_.pop_back()) clusters_.move(moves_.back().node, moves_.back().from);
+  for (; !moves_.empty(); moves_.pop_back()) clusters_.move(moves_.back().node, moves_.back().parent);
 }
 
 // Moves all children over; none where that is not valid.
@@ -96,8 +86,7 @@ void Rebirth::grow(const LevelGraph& graph, Index old, Index cluster) {
   while (true) {
     double most = 0;
     Index best = kNone;
-    for (Index child = clusters_.children().first_child(old); child != kNone;
-         child = clusters_.children().next_sibling(child)) {
+    for (const Index child : clusters_.children().of(old)) {
       const double gain = worth_.of_swap(child, cluster);
       if (gain > most && is_valid_(graph, child, cluster)) most = gain, best = child;
     }

@@ -40,9 +40,6 @@ class Rebirth {
     double cost;
     Index cluster, heir;
   };
-  struct Move {
-    Index node, from;
-  };
 
   void find_births(const LevelGraph& graph, double least);
   void find_deaths(const LevelGraph& graph, double most);
@@ -56,7 +53,7 @@ class Rebirth {
   const Worth& worth_;
   std::vector<Birth> births_;
   std::vector<Death> deaths_;
-  std::vector<Move> moves_;   // of the death at work
+  std::vector<Swap> moves_;   // that undo the death at work, last first
   std::vector<Index> heirs_;  // scratch
   std::vector<Index> changed_;
   std::vector<char> is_locked_;  // [node_count]: has changed in this round

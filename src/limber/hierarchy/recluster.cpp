@@ -8,12 +8,14 @@
 //     nodes moved from their minima to where the levels fit the surface                           level_fit.h
 //
 //   improve_level(level):
-//     repeat until no swap is made:
-//       for each node whose surroundings have changed: best_swap(), valid and better than the threshold
-//       in order of benefit, those that are still valid and better: apply()
+//     repeat while enough clusters are born:
+//       make_swaps(): repeat until no swap is made
+//         for each node whose surroundings have changed: best_swap(), valid and better than the threshold
+//         in order of benefit, those that are still valid and better: move
+//       births and deaths of clusters                                                             rebirth.h
 //
-// Equation 1 never promises more than a swap delivers: it keeps both minima where they are, and moving them to the new
-// ones can only lower the error further. Every swap lowers the weighted error by more than the threshold, so this ends.
+// What a swap is worth (worth.h) is judged again right before it is made: every swap lowers the weighted error by more
+// than the threshold, so this ends.
 //
 // The graph of a level depends on the levels below it alone, which change after it: it is built once per frame.
 #include "limber/hierarchy/recluster.h"
@@ -32,8 +34,7 @@ namespace {
 constexpr double kPaperGrowth = 1.9127;
 constexpr double kLeastGrowth = 1, kMostGrowth = 3;  // beyond, the fit has met something else
 constexpr double kRounding = 1e-18;                  // of errors of a surface of unit size
-constexpr double kLikely = 0.5;      // an estimate of less than this share need not be looked at closely
-constexpr unsigned kMostRounds = 8;  // of births and deaths on a level in a step
+constexpr unsigned kMostRounds = 8;                  // of births and deaths on a level in a step
 
 // Of candidates; the same order everywhere.
 constexpr auto kMoreBenefit = [](const auto& a, const auto& b) {
@@ -120,7 +121,7 @@ Reclusterer::Candidate Reclusterer::best_swap(const LevelGraph& graph, Index nod
     candidates_of_node_.push_back({0, node, to});
     least_burden = std::min(least_burden, worth_.about_burden(clusters_.quadric(node), to));
   }
-  if (!first_ && !(worth_.about_release(node) - least_burden > kLikely * least_benefit)) return none;
+  if (!first_ && !(worth_.about_release(node) - least_burden > Worth::kLikely * least_benefit)) return none;
   const double release = worth_.release(node);
   for (Candidate& c : candidates_of_node_) c.benefit = worth_.of_swap(node, c.to, release);
   std::sort(candidates_of_node_.begin(), candidates_of_node_.end(), kMoreBenefit);
@@ -138,8 +139,7 @@ void Reclusterer::touch(const LevelGraph& graph, Index cluster) {
     mark_[node] = pass_;
     pending_.push_back(node);
   };
-  for (Index child = clusters_.children().first_child(cluster); child != kNone;
-       child = clusters_.children().next_sibling(child)) {
+  for (const Index child : clusters_.children().of(cluster)) {
     add(child);
     for (const Index n : graph.around(child)) add(n);
   }

@@ -51,6 +51,13 @@ enum class Follow {
 // The numbers behind the word.
 ReclusterOptions recluster_options(Follow follow);
 
+// The options, with the topology and the quadrics by which the base hierarchy was contracted.
+inline ReclusterOptions as_contracted(ReclusterOptions options, const ContractOptions& contract) {
+  options.topology = contract.topology;
+  options.quadrics = contract.quadrics;
+  return options;
+}
+
 // Follows a clip frame by frame. One frame of memory.
 class Reclusterer {
  public:

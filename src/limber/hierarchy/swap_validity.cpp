@@ -27,9 +27,16 @@ namespace limber {
 template <class Visit>
 bool SwapValidity::any_of(Index cluster, Index levels_down, Visit&& visit) const {
   if (levels_down == 0) return visit(cluster);
-  for (Index child = children_.first_child(cluster); child != kNone; child = children_.next_sibling(child))
+  for (const Index child : children_.of(cluster))
     if (any_of(child, levels_down - 1, visit)) return true;
   return false;
+}
+
+// Whether the node has a neighbour, `except` aside, in the cluster.
+bool SwapValidity::is_beside(const LevelGraph& graph, Index node, Index cluster, Index levels_up, Index except) const {
+  const auto around = graph.around(node);
+  return std::any_of(around.begin(), around.end(),
+                     [&](Index n) { return n != except && ancestor(n, levels_up) == cluster; });
 }
 
 // Whether a member of `cluster`, `except` aside, has a neighbour in `other`, or lies on a border if that is kNone.
@@ -38,20 +45,13 @@ bool SwapValidity::are_joined(const LevelGraph& graph, Index cluster, Index othe
   return any_of(cluster, levels_up, [&](Index member) {
     if (member == except) return false;
     if (other == kNone) return graph.star_of(member) != StarKind::kClosed;
-    const auto around = graph.around(member);
-    return std::any_of(around.begin(), around.end(),
-                       [&](Index n) { return n != except && ancestor(n, levels_up) == other; });
+    return is_beside(graph, member, other, levels_up, except);
   });
 }
 
 bool SwapValidity::is_swappable(const LevelGraph& graph, Index node) const {
   return topology_ == Topology::kFree ||
          graph.star_of(node) != StarKind::kIrregular;  // no promise could be kept around it
-}
-
-bool SwapValidity::is_beside(const LevelGraph& graph, Index node, Index cluster, Index levels_up) const {
-  const auto around = graph.around(node);
-  return std::any_of(around.begin(), around.end(), [&](Index n) { return ancestor(n, levels_up) == cluster; });
 }
 
 // Fills runs_. Whether every label has no more than one.

@@ -35,7 +35,7 @@ class SwapValidity {
   bool touches_beyond_runs(const LevelGraph& graph, Index cluster, Index except) const;
   bool keeps_contacts(const LevelGraph& graph, Index node, Index from, Index to, Index levels_up);
   bool keeps_connection(const LevelGraph& graph, Index node, Index from, Index levels_up);
-  bool is_beside(const LevelGraph& graph, Index node, Index cluster, Index levels_up) const;
+  bool is_beside(const LevelGraph& graph, Index node, Index cluster, Index levels_up, Index except = kNone) const;
   bool are_joined(const LevelGraph& graph, Index cluster, Index other, Index levels_up, Index except) const;
   Index ancestor(Index node, Index levels_up) const {
     for (; levels_up > 0; --levels_up) node = hierarchy_.parent[node];

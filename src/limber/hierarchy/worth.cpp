@@ -30,14 +30,15 @@ double Worth::release(Index node) const { return without(clusters_.quadric(node)
 double Worth::of_swap(Index node, Index to, double release) const {
   const Quadric& q = clusters_.quadric(node);
   double sum = release - burden(q, to), weight = 1;
-  Index from = clusters_.parent(node);
-  Index level = clusters_.hierarchy().level_of(from);
-  while (true) {
-    from = clusters_.parent(from), to = clusters_.parent(to);
-    if (from == to) return sum;
-    weight *= level_weight_[++level];
+  Index from = clusters_.parent(clusters_.parent(node));
+  to = clusters_.parent(to);
+  if (from == to) return sum;
+  for (Index level = clusters_.hierarchy().level_of(from); from != to; ++level) {
+    weight *= level_weight_[level];
     sum += weight * (without(q, from) - burden(q, to));
+    from = clusters_.parent(from), to = clusters_.parent(to);
   }
+  return sum;
 }
 
 double Worth::of_death(Index cluster, Index heir) const {

@@ -32,11 +32,11 @@ class Worth {
   // By how much the error of the node's cluster falls without it.
   double release(Index node) const;
 
-  // By how much the error of another cluster grows with a quadric.
-  double burden(const Quadric& quadric, Index cluster) const;
-
-  // Estimates of both for about a fifth of the time, to choose what is worth being judged exactly: where quadrics are
-  // distances to points, a cluster's minimum moves by the share that comes or goes (Hartigan's rule for k-means).
+  // Estimates for about a fifth of the time, of release() and of what the error of another cluster grows by with a
+  // quadric, to choose what is worth being judged exactly: where quadrics are distances to points, a cluster's minimum
+  // moves by the share that comes or goes (Hartigan's rule for k-means). What is less than the share kLikely of what it
+  // would have to be need not be.
+  static constexpr double kLikely = 0.5;
   double about_release(Index node) const {
     const Quadric &q = clusters_.quadric(node), &all = clusters_.quadric(clusters_.parent(node));
     const double whole = trace(all), rest = std::max(whole - trace(q), 1e-3 * whole);
@@ -53,6 +53,7 @@ class Worth {
  private:
   static double trace(const Quadric& q) { return q.xx + q.yy + q.zz; }
   double without(const Quadric& quadric, Index cluster) const;
+  double burden(const Quadric& quadric, Index cluster) const;
 
   const Clustering& clusters_;
   Benefit benefit_;

@@ -87,10 +87,8 @@ Result<void> StreamBuilder::make_base() {
   if (!hierarchy) return hierarchy.error();
   for (Index level = 0; level < hierarchy->level_count(); ++level)
     report_.level_sizes.push_back(hierarchy->level_size(level));
-  ReclusterOptions recluster = options_.recluster;
-  recluster.topology = options_.hierarchy.contract.topology;
-  recluster.quadrics = options_.hierarchy.contract.quadrics;
-  reclusterer_ = std::make_unique<Reclusterer>(clip_.mesh(), std::move(*hierarchy), recluster);
+  reclusterer_ = std::make_unique<Reclusterer>(clip_.mesh(), std::move(*hierarchy),
+                                               as_contracted(options_.recluster, options_.hierarchy.contract));
   return clip_.rewind();
 }
 
