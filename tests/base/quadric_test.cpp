@@ -26,6 +26,13 @@ Quadric random_quadric(Random& random) {
   return q;
 }
 
+TEST(Quadric, HasTheWeightOfItsPlanesAndThriceThatOfItsPointsAsItsTrace) {
+  Quadric q = Quadric::plane({0, 0.6, 0.8}, {1, 2, 3}, 5) + Quadric::plane({1, 0, 0}, {0, 0, 0}, 2);
+  EXPECT_NEAR(q.trace(), 7, 1e-14);
+  q.add_point({4, 5, 6}, 10);
+  EXPECT_NEAR(q.trace(), 37, 1e-13);
+}
+
 TEST(Quadric, OfAPlaneIsTheWeightedSquaredDistanceToIt) {
   Random random(1);
   for (int i = 0; i < 100; ++i) {

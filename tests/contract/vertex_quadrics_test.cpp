@@ -85,7 +85,7 @@ TEST(VertexQuadrics, ShareOutTheWholeArea) {
   for (const auto& [a, b, c] : shape.mesh.triangles)
     area += 0.5 * length(cross(static_cast<Vec3d>(shape.positions[b]) - static_cast<Vec3d>(shape.positions[a]),
                                static_cast<Vec3d>(shape.positions[c]) - static_cast<Vec3d>(shape.positions[a])));
-  for (const Quadric& q : quadrics_of(shape, {.border_weight = 0, .point_weight = 1e-4})) trace += q.xx + q.yy + q.zz;
+  for (const Quadric& q : quadrics_of(shape, {.border_weight = 0, .point_weight = 1e-4})) trace += q.trace();
   EXPECT_NEAR(trace, area * (1 + 3e-4), 1e-9);
 }
 

@@ -33,7 +33,7 @@ TEST(Leeway, LetsTheErrorGrowByItsShareAndTheDistanceAndNoMore) {
   for (int i = 0; i < 1000; ++i) {
     const Quadric q = random_quadric(random);
     const QuadricMinimum at = minimum(q);
-    const double area = q.xx + q.yy + q.zz, allowed = 0.02 * at.value + area * 1e-6;
+    const double area = q.trace(), allowed = 0.02 * at.value + area * 1e-6;
     const Vec3d wanted{number(random), number(random), number(random)};
     const Vec3d d = displacement_towards(wanted, leeway(q, at.value, 1, kOptions));
     EXPECT_LE(q(at.point + d) - at.value, allowed * 1.001 + 1e-12);

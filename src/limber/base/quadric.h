@@ -51,6 +51,9 @@ struct Quadric {
   friend Quadric operator-(Quadric a, const Quadric& b) { return a -= b; }
   friend bool operator==(const Quadric&, const Quadric&) = default;
 
+  // The trace of A: the sum of the weights of its planes, and thrice those of its points.
+  double trace() const { return xx + yy + zz; }
+
   // Q(x). May come out slightly negative by rounding.
   double operator()(const Vec3d& x) const {
     const double rx = xx * x.x + xy * x.y + xz * x.z + 2 * bx;

@@ -56,7 +56,7 @@ void VertexQuadrics::compute(std::span<const Vec3d> positions, std::span<Quadric
   for (std::size_t v = 0; v < areas_.size(); ++v) {
     Quadric& q = quadrics[v];
     const double weight = options_.point_weight * std::max(areas_[v], least_area);
-    q.add_point(positions[v], std::max(weight, kLeastShare * (q.xx + q.yy + q.zz)));
+    q.add_point(positions[v], std::max(weight, kLeastShare * q.trace()));
   }
 }
 

@@ -265,7 +265,7 @@ double Builder::swap_error(Index v, Index r, Index s, Index t) const {
 // How far u is, as the root of the mean square, from the planes that v stands for.
 double Builder::removal_error(Index v, Index u) const {
   const Quadric& q = quadrics_[v];
-  const double weight = q.xx + q.yy + q.zz;
+  const double weight = q.trace();
   return weight > 0 ? std::sqrt(std::max(q(positions_[u]), 0.0) / weight) : 0;
 }
 

@@ -19,7 +19,7 @@ constexpr int kAttempts = 20;      // each with half the pull
 }  // namespace
 
 Leeway leeway(const Quadric& quadric, double error, double scale, const LeewayOptions& options) {
-  const double area = quadric.xx + quadric.yy + quadric.zz;
+  const double area = quadric.trace();
   const double distance = options.distance * scale;
   const double growth = options.error_share * error + area * distance * distance;
   const double factor = scale * scale / std::max(growth, 1e-300);

@@ -166,7 +166,7 @@ void LevelFit::move(std::span<const Quadric> quadrics, double anchor, std::span<
     q.bz += q.xz * x.x + q.yz * x.y + q.zz * x.z;
     q *= anchor;
     q += p;
-    q.add_point({}, kDamping * (p.xx + p.yy + p.zz));
+    q.add_point({}, kDamping * p.trace());
     const Vec3d way = minimum(q).point;
     const double left = std::max(p(way), 0.0);
     if (!std::isfinite(left)) continue;  // millions of times larger than the first frame

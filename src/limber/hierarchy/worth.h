@@ -39,11 +39,11 @@ class Worth {
   static constexpr double kLikely = 0.5;
   double about_release(Index node) const {
     const Quadric &q = clusters_.quadric(node), &all = clusters_.quadric(clusters_.parent(node));
-    const double whole = trace(all), rest = std::max(whole - trace(q), 1e-3 * whole);
+    const double whole = all.trace(), rest = std::max(whole - q.trace(), 1e-3 * whole);
     return rest > 0 ? q(clusters_.minimum_at(clusters_.parent(node))) * (whole / rest) : 0;
   }
   double about_burden(const Quadric& q, Index cluster) const {
-    const double whole = trace(clusters_.quadric(cluster)), with = whole + trace(q);
+    const double whole = clusters_.quadric(cluster).trace(), with = whole + q.trace();
     return with > 0 ? q(clusters_.minimum_at(cluster)) * (whole / with) : 0;
   }
 
@@ -51,7 +51,6 @@ class Worth {
   double of_death(Index cluster, Index heir) const;
 
  private:
-  static double trace(const Quadric& q) { return q.xx + q.yy + q.zz; }
   double without(const Quadric& quadric, Index cluster) const;
   double burden(const Quadric& quadric, Index cluster) const;
 
