@@ -25,6 +25,8 @@ constexpr Index kSamplesPerNode = 6;
 // Weight of a node's way, against the pulls at it: what keeps it from far places along a surface that says little about
 // them.
 constexpr double kDamping = 0.003;
+// What is left of a quadric is the squared distance to planes, about twice that to the surface they bound.
+constexpr double kPlanes = 0.5;
 constexpr double kFacing = 0.7;  // the least length of the mean normal of a surface that faces one way
 constexpr int kHalvings = 3;     // before a node is drawn back for good
 
@@ -160,15 +162,17 @@ void LevelFit::move(std::span<const Quadric> quadrics, double anchor, std::span<
     const Quadric p{squares[0], products[0], products[1], squares[1], products[2],
                     squares[2], -force[0],   -force[1],   -force[2],  squares[3]};
     const Vec3d& x = positions[node];
-    Quadric q = quadrics[node];
+    Quadric q = quadrics[node];  // seen from x
     q.bx += q.xx * x.x + q.xy * x.y + q.xz * x.z;
     q.by += q.xy * x.x + q.yy * x.y + q.yz * x.z;
     q.bz += q.xz * x.x + q.yz * x.y + q.zz * x.z;
-    q *= anchor;
-    q += p;
-    q.add_point({}, kDamping * p.trace());
-    const Vec3d way = minimum(q).point;
-    const double left = std::max(p(way), 0.0);
+    q.c = quadrics[node](x);
+    Quadric sum = q;
+    sum *= anchor;
+    sum += p;
+    sum.add_point({}, kDamping * p.trace());
+    const Vec3d way = minimum(sum).point;
+    const double left = 0.5 * std::max(p(way), 0.0) + 0.5 * kPlanes * std::max(q(way), 0.0);
     if (!std::isfinite(left)) continue;  // millions of times larger than the first frame
     positions[node] += way;
     if (fan_begin_[node - first_] < fan_begin_[node - first_ + 1]) errors[node] = left;

@@ -30,7 +30,9 @@ class LevelFit {
   // Moves all nodes above the finest level. vertex_areas: [vertex_count], VertexQuadrics::areas(); quadrics:
   // [node_count], of the clusters; positions: [node_count], the finest as they are, the others at the minima of their
   // quadrics; errors: [node_count], the squared distance of each node's cluster over its area. Those of nodes with
-  // triangles become what is left of it; over a level they sum up to that of the samples to the level's surface.
+  // triangles become what is left of it: the mean of that of the samples to the level's surface and, by half the
+  // quadric, that of the nodes to the finest surface. Samples do not see what of the level sticks out from among them,
+  // nor nodes what of the finest surface does.
   void fit(std::span<const double> vertex_areas, std::span<const Quadric> quadrics, const FitOptions& options,
            std::span<Vec3d> positions, std::span<double> errors);
 
