@@ -90,6 +90,9 @@ void print_report(const Arguments& arguments, const BuildReport& report, const M
                      : "");
   }
   console.print("swaps         {:.1f} per frame (95th percentile {:.0f})\n", report.swaps.mean, report.swaps.p95);
+  if (report.restart_count > 0)
+    console.print("made anew     {} {}, where the clip jumps\n", report.restart_count,
+                  report.restart_count == 1 ? "time" : "times");
   console.print("bytes         {}\n", frame_bytes_line(report.bytes, report.frame_count));
   console.print("first levels  from {} frames; growth exponent {:.3f}{}\n", report.base_frame_count, report.growth,
                 options.recluster.growth ? " (given)" : "");
@@ -113,6 +116,7 @@ Json to_json(const Arguments& arguments, const BuildReport& report, const Mesh& 
           {"base_frames", report.base_frame_count},
           {"growth", report.growth},
           {"swaps", {{"mean", report.swaps.mean}, {"p95", report.swaps.p95}}},
+          {"restarts", report.restart_count},
           {"bytes", report.stream_bytes},
           {"bytes_per_frame", frame_bytes_json(report.bytes, report.frame_count)},
           {"bits_per_vertex_and_frame", bits_per_vertex(report.stream_bytes, mesh.vertex_count, report.frame_count)},

@@ -13,7 +13,7 @@ namespace {
 // What was given; the rest is as `follow` says.
 struct Given {
   Follow follow = Follow::kBalanced;
-  std::optional<double> threshold, hysteresis, coarser_weight, growth;
+  std::optional<double> threshold, hysteresis, coarser_weight, growth, restart;
   std::optional<unsigned> rounds;
 
   ReclusterOptions apply() const {
@@ -21,6 +21,8 @@ struct Given {
     options.growth = growth;
     if (threshold) options.threshold = *threshold;
     if (hysteresis) options.rebirth.hysteresis = *hysteresis;
+    if (restart) options.restart.gain = *restart;
+    if (restart && !(*restart > 0)) options.restart.jump = 0;
     if (coarser_weight) options.coarser_weight = *coarser_weight;
     if (rounds) options.fit.rounds = *rounds;
     return options;
@@ -48,6 +50,12 @@ void declare_recluster(CLI::App& app, ReclusterOptions& options, const std::stri
                  "what the birth of a cluster must gain for what the death of another costs; 0: no births")
       ->check(in_range(0, 1e6))
       ->type_name("X")
+      ->group(group);
+  app.add_option(
+         "--restart", given->restart,
+         "where the clip jumps, make the hierarchy anew if that leaves less than this share of the error; 0: never")
+      ->check(in_range(0, 1))
+      ->type_name("SHARE")
       ->group(group);
   app.add_option("--fit", given->rounds,
                  "how often the levels are fitted to the surface; 0: their nodes stand at the minima of their quadrics")

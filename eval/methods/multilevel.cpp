@@ -39,8 +39,9 @@ class Multilevel final : public Method {
     if (build.level_sizes.empty() && options_.vertices > 0) {
       build.level_sizes = levels_around(mesh.vertex_count, options_.vertices, options_.branching);
     }
-    follower_.emplace(mesh, build_hierarchy(mesh, seen, build), as_contracted(options_.recluster, options_.contract),
-                      cut_to_size(options_), options_.blend);
+    ReclusterOptions recluster = as_contracted(options_.recluster, options_.contract);
+    recluster.restart.tries_first = seen.size() > 1;
+    follower_.emplace(mesh, build_hierarchy(mesh, seen, build), recluster, cut_to_size(options_), options_.blend);
   }
 
   void frame(std::span<const Vec3f> positions, Approximation& out) override { follower_->frame(positions, out); }

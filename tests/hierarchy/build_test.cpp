@@ -43,6 +43,31 @@ TEST(BuildHierarchy, HasTheLevelsThatTheTargetsSay) {
   expect_valid(ball.mesh, h);
 }
 
+TEST(BuildAlike, IsWhatBuildHierarchyMakesOfTheSameFrame) {
+  Shape ball = test::jittered(test::sphere(4), 0.01f, 1);
+  ball.mesh.vertex_count += 1;  // isolated
+  ball.positions.push_back({5, 5, 5});
+  const Hierarchy h = build(ball, {.branching = 3});
+  EXPECT_EQ(build_alike(ball.mesh, ball.positions, h, {}), h);
+  const Shape other = test::jittered(ball, 0.1f, 2);
+  const std::optional<Hierarchy> alike = build_alike(ball.mesh, other.positions, h, {});
+  ASSERT_TRUE(alike);
+  EXPECT_EQ(alike->level_begin, h.level_begin);
+  EXPECT_NE(alike->parent, h.parent);
+  expect_valid(ball.mesh, *alike);
+}
+
+TEST(BuildAlike, IsNotWhereTheMeshCannotBeContractedThatFar) {
+  const Shape ring = test::torus(9, 24);
+  BuildOptions options{.branching = 100};
+  options.level_sizes = {50, 2};
+  options.contract.topology = Topology::kFree;
+  const Hierarchy h = build(ring, options);
+  ASSERT_EQ(h.level_size(2), 2u);
+  EXPECT_TRUE(build_alike(ring.mesh, ring.positions, h, options.contract));
+  EXPECT_FALSE(build_alike(ring.mesh, ring.positions, h, {}));
+}
+
 TEST(BuildHierarchy, HasTheExactLevelSizesAskedFor) {
   const Shape ball = test::jittered(test::sphere(3), 0.01f, 2);
   BuildOptions options;

@@ -171,6 +171,60 @@ TEST(Reclusterer, KeepsEveryInvariantOnSmallShapes) {
   }
 }
 
+// Folds along y in scene 0, along x in scene 1, and hardly moves within one.
+Shape scene(const Shape& shape, int number, int frame) {
+  return moved(shape, [number, frame](Vec3f p) {
+    const float across = number == 0 ? p.x : p.y;
+    return p + Vec3f{0, 0, 3 * std::sin(across + 0.01f * static_cast<float>(frame))};
+  });
+}
+
+TEST(Reclusterer, BeginsAnewWhereTheClipJumpsAsWellAsABaseOfThatFrameWould) {
+  const Shape flat = test::jittered(test::sheet(40, 40), 0.1f, 13);
+  const Shape first = scene(flat, 0, 0), second = scene(flat, 1, 0);
+  Validator validator(flat.mesh, Topology::kPreserve);
+  Hierarchy replayed = test::built(first, 4, Topology::kPreserve);
+  Reclusterer r(flat.mesh, replayed, {}), never(flat.mesh, replayed, {.growth = {}, .restart = {.jump = 0}});
+  for (int frame = 0; frame < 6; ++frame) {
+    const Shape now = scene(flat, frame / 3, frame);
+    for (const Swap& swap : stepped(r, now.positions)) apply(replayed, swap);
+    stepped(never, now.positions);
+    EXPECT_EQ(r.has_restarted(), frame == 3) << frame;
+    EXPECT_FALSE(never.has_restarted());
+    ASSERT_EQ(replayed, r.hierarchy());
+    const auto violation = validator(r.hierarchy());
+    ASSERT_FALSE(violation) << "frame " << frame << ": " << violation->line();
+  }
+  const double scale = normalization(first.positions).scale;
+  Reclusterer fresh(flat.mesh, *build_alike(flat.mesh, scene(flat, 1, 3).positions, replayed, {}), {});
+  stepped(fresh, scene(flat, 1, 3).positions);
+  const std::vector<double> is = level_errors(second, r.hierarchy(), scale),
+                            could = level_errors(second, fresh.hierarchy(), scale),
+                            was = level_errors(second, never.hierarchy(), scale);
+  for (Index level = 1; level < replayed.level_count(); ++level) EXPECT_LT(is[level], 1.1 * could[level]);
+  EXPECT_LT(is[1], 0.85 * was[1]);
+}
+
+TEST(Reclusterer, LeavesABaseThatDoesNotFitTheFirstFrameWhereToldTo) {
+  const Shape flat = test::jittered(test::sheet(40, 40), 0.1f, 14);
+  const Hierarchy other = test::built(scene(flat, 1, 0), 4, Topology::kPreserve);
+  for (const bool tries_first : {false, true}) {
+    Reclusterer r(flat.mesh, other, {.growth = {}, .restart = {.tries_first = tries_first}});
+    stepped(r, scene(flat, 0, 0).positions);
+    EXPECT_EQ(r.has_restarted(), tries_first);
+  }
+}
+
+TEST(Reclusterer, StaysWithAClipThatOnlyGrowsOrMovesOn) {
+  const Shape ball = test::jittered(test::sphere(4), 0.02f, 15);
+  Reclusterer r(ball.mesh, test::built(ball, 4, Topology::kPreserve), {});
+  for (int frame = 0; frame < 5; ++frame) {
+    const float size = static_cast<float>(1 << frame);
+    stepped(r, moved(ball, [&](Vec3f p) { return p * size + Vec3f{3 * size, 0, 0}; }).positions);
+    EXPECT_FALSE(r.has_restarted()) << frame;
+  }
+}
+
 TEST(Reclusterer, GivesTheSameTwice) {
   const Shape shape = test::jittered(test::torus(12, 30), 0.05f, 8);
   const Hierarchy base = test::built(shape, 4, Topology::kPreserve);

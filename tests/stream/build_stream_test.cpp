@@ -6,6 +6,7 @@
 #include "limber/clip/sample.h"
 #include "limber/stream/base_frames.h"
 #include "limber/stream/decoder.h"
+#include "tests/support/grid.h"
 
 namespace limber {
 namespace {
@@ -94,6 +95,44 @@ TEST(BuildStream, OneThreadAndTwoThreadsGiveTheSameBytes) {
   EXPECT_EQ(one.bytes, two.bytes);
   EXPECT_EQ(one.report->stream_bytes, one.bytes.size());
   EXPECT_EQ(one.report->frame_count, 6u);
+}
+
+// A sheet whose folds run along x, then from frame 4 on along y.
+class TurningClip : public ClipReader {
+ public:
+  const Mesh& mesh() const override { return mesh_; }
+  std::optional<std::uint32_t> frame_count() const override { return 8; }
+  Result<bool> read(std::span<Vec3f> positions) override {
+    if (next_ == 8) return false;
+    for (Index v = 0; v < mesh_.vertex_count; ++v) {
+      const auto x = static_cast<float>(v % kSide), y = static_cast<float>(v / kSide);
+      positions[v] = {x, y, 3 * std::sin((next_ < 4 ? x : y) + 0.01f * static_cast<float>(next_))};
+    }
+    ++next_;
+    return true;
+  }
+  Result<void> rewind() override {
+    next_ = 0;
+    return {};
+  }
+
+ private:
+  static constexpr Index kSide = 24;
+  Mesh mesh_ = test::grid(kSide, kSide);
+  std::uint32_t next_ = 0;
+};
+
+TEST(BuildStream, AJumpIsAKey) {
+  TurningClip clip;
+  const Built built = build(clip, {.base_frames = 1});
+  ASSERT_TRUE(built.report) << built.report.error().line();
+  EXPECT_EQ(built.report->restart_count, 1u);
+  Decoder decoder;
+  ASSERT_TRUE(decoder.open(built.bytes));
+  std::vector<std::uint32_t> keys;
+  for (std::uint32_t frame = 0; frame < 8; ++frame)
+    if (decoder.is_key(frame)) keys.push_back(frame);
+  EXPECT_THAT(keys, testing::ElementsAre(0, 4));
 }
 
 TEST(BuildStream, AClipOfUnknownLengthIsAnnouncedWithItsLength) {

@@ -125,7 +125,7 @@ TEST_F(Build, EveryOptionGivesASoundStream) {
       {"--topology", "free"},  {"--branching", "2"}, {"--base-frames", "1"},    {"--threshold", "0"},
       {"--fit", "0"},          {"--keys", "1"},      {"--coarser-weight", "1"}, {"--growth", "1.9127"},
       {"--tolerance", "0.01"}, {"--follow", "calm"}, {"--follow", "close"},     {"--follow", "paper"},
-      {"--hysteresis", "0"}};
+      {"--hysteresis", "0"},   {"--restart", "0"}};
   for (const auto& options : all) {
     const std::string made = stream("a.limber", [&] {
       auto with_force = options;
@@ -144,7 +144,7 @@ TEST_F(Build, TheNumbersBehindFollowMayBeGivenByThemselvesBeforeItOrAfterIt) {
   };
   const std::string calm = made({"--follow", "calm"});
   EXPECT_NE(calm, made({}));
-  EXPECT_EQ(calm, made({"--threshold", "0.2", "--hysteresis", "3"}));
+  EXPECT_EQ(calm, made({"--threshold", "0.2", "--hysteresis", "3", "--restart", "0.7"}));
   EXPECT_EQ(made({}), made({"--follow", "balanced"}));
   EXPECT_EQ(made({}), made({"--threshold", "0.05", "--follow", "calm", "--hysteresis", "1.5"}));
 }

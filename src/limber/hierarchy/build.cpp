@@ -22,6 +22,33 @@ void add_between(Index finer, Index coarser, double branching, std::vector<Index
   }
 }
 
+// A level for each of the targets, which do not count isolated vertices. Gives what there is so far when cancelled.
+Hierarchy contract_levels(const Mesh& mesh, const std::vector<Index>& targets, Contractor& contractor) {
+  Hierarchy hierarchy{{0, mesh.vertex_count}, std::vector<Index>(mesh.vertex_count, kNone)};
+  const Index isolated_count = mesh.vertex_count - contractor.vertex_count();
+  // node_of[v]: the node on the level made last that v belongs to.
+  std::vector<Index> node_of(mesh.vertex_count);
+  for (Index v = 0; v < mesh.vertex_count; ++v) node_of[v] = v;
+  for (const Index target : targets) {
+    const Index size = contractor.contract_to(target) + isolated_count;
+    if (contractor.is_cancelled()) break;
+    if (size == hierarchy.level_size(hierarchy.level_count() - 1)) continue;
+    const Index first = hierarchy.node_count();
+    hierarchy.level_begin.push_back(first + size);
+    hierarchy.parent.resize(first + size, kNone);
+    std::vector<Index> node_of_representative(mesh.vertex_count, kNone);
+    Index next = first;
+    for (Index v = 0; v < mesh.vertex_count; ++v) {
+      Index& node = node_of_representative[contractor.representative(v)];
+      if (node == kNone) node = next++;
+      hierarchy.parent[node_of[v]] = node;
+      node_of[v] = node;
+    }
+    assert(next == hierarchy.node_count());
+  }
+  return hierarchy;
+}
+
 }  // namespace
 
 std::vector<Index> level_targets(Index vertex_count, const BuildOptions& options) {
@@ -48,33 +75,24 @@ Hierarchy build_hierarchy(const Mesh& mesh, std::span<const std::span<const Vec3
 
 Result<Hierarchy> build_hierarchy(const Mesh& mesh, std::span<const std::span<const Vec3f>> frames,
                                   const BuildOptions& options, const GoOnFunction& go_on) {
-  Hierarchy hierarchy{{0, mesh.vertex_count}, std::vector<Index>(mesh.vertex_count, kNone)};
   const Error cancelled{ErrorCode::kCancelled, "", "interrupted"};
   Contractor contractor(mesh, frames, options.contract, go_on);
   if (contractor.is_cancelled()) return cancelled;
-  const Index isolated_count = mesh.vertex_count - contractor.vertex_count();
+  Hierarchy hierarchy = contract_levels(mesh, level_targets(contractor.vertex_count(), options), contractor);
+  if (contractor.is_cancelled()) return cancelled;
+  return hierarchy;
+}
 
-  // node_of[v]: the node on the level made last that v belongs to.
-  std::vector<Index> node_of(mesh.vertex_count);
-  for (Index v = 0; v < mesh.vertex_count; ++v) node_of[v] = v;
-  for (const Index target : level_targets(contractor.vertex_count(), options)) {
-    const Index size = contractor.contract_to(target) + isolated_count;
-    if (contractor.is_cancelled()) return cancelled;
-    const Index level = hierarchy.level_count();
-    if (size == hierarchy.level_size(level - 1)) continue;
-    const Index first = hierarchy.node_count();
-    hierarchy.level_begin.push_back(first + size);
-    hierarchy.parent.resize(first + size, kNone);
-    std::vector<Index> node_of_representative(mesh.vertex_count, kNone);
-    Index next = first;
-    for (Index v = 0; v < mesh.vertex_count; ++v) {
-      Index& node = node_of_representative[contractor.representative(v)];
-      if (node == kNone) node = next++;
-      hierarchy.parent[node_of[v]] = node;
-      node_of[v] = node;
-    }
-    assert(next == hierarchy.node_count());
-  }
+std::optional<Hierarchy> build_alike(const Mesh& mesh, std::span<const Vec3f> positions, const Hierarchy& model,
+                                     const ContractOptions& options) {
+  const std::span<const Vec3f> frames[] = {positions};
+  Contractor contractor(mesh, frames, options);
+  const Index isolated_count = mesh.vertex_count - contractor.vertex_count();
+  std::vector<Index> targets;
+  for (Index level = 1; level < model.level_count(); ++level)
+    targets.push_back(model.level_size(level) - isolated_count);
+  Hierarchy hierarchy = contract_levels(mesh, targets, contractor);
+  if (hierarchy.level_begin != model.level_begin) return std::nullopt;
   return hierarchy;
 }
 

@@ -2,6 +2,7 @@
 // The multilevel mesh of the first frame (Kircher & Garland 2005, section 3).
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -37,6 +38,11 @@ Hierarchy build_hierarchy(const Mesh& mesh, std::span<const std::span<const Vec3
 // The same, but asks go_on often enough for a person who waits. Error: kCancelled when it gives false.
 Result<Hierarchy> build_hierarchy(const Mesh& mesh, std::span<const std::span<const Vec3f>> frames,
                                   const BuildOptions& options, const GoOnFunction& go_on);
+
+// Of one frame, with levels of the same sizes as those of `model`, which is over the same mesh; none where the mesh
+// cannot be contracted to just these. positions: [mesh.vertex_count], finite.
+std::optional<Hierarchy> build_alike(const Mesh& mesh, std::span<const Vec3f> positions, const Hierarchy& model,
+                                     const ContractOptions& options);
 
 // The vertex counts that build_hierarchy aims at above the finest level, decreasing, for a mesh of this many vertices.
 // Sizes asked for that are not smaller than the mesh are left out.

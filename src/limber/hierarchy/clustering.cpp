@@ -2,6 +2,7 @@
 #include "limber/hierarchy/clustering.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 namespace limber {
@@ -12,6 +13,12 @@ Clustering::Clustering(Hierarchy base)
       quadrics_(hierarchy_.node_count()),
       minima_(hierarchy_.node_count()),
       energies_(hierarchy_.node_count(), 0.0) {}
+
+void Clustering::replace(const Hierarchy& hierarchy) {
+  assert(hierarchy.level_begin == hierarchy_.level_begin);
+  hierarchy_.parent = hierarchy.parent;  // in its place: others refer to it
+  children_ = ChildLists(hierarchy_);
+}
 
 void Clustering::place(Index node) {
   const QuadricMinimum at = minimum(quadrics_[node]);

@@ -29,6 +29,9 @@ class Clustering {
   std::span<Quadric> finest_quadrics() { return std::span(quadrics_).first(hierarchy_.vertex_count()); }
   std::span<Vec3d> finest_positions() { return std::span(minima_).first(hierarchy_.vertex_count()); }
 
+  // Takes the parents of a hierarchy with the same level sizes. To be followed by weigh().
+  void replace(const Hierarchy& hierarchy);
+
   // Sums the quadrics of the finest vertices up the levels, in the order of the nodes, and finds all minima: what comes
   // of it depends on the hierarchy alone, not on how it came about.
   void weigh();

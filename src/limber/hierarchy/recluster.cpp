@@ -4,6 +4,7 @@
 //   step(positions):
 //     quadrics of the finest vertices, summed up the levels; minima and errors of all nodes      section 3
 //     for each level, coarse to fine: improve_level()                                             section 4.3
+//     where the frame is a jump: the same for a hierarchy made anew, which is taken if it is much better
 //     sums, minima and errors once more from scratch, so that what is stored does not depend on the order of swaps
 //     nodes moved from their minima to where the levels fit the surface                           level_fit.h
 //
@@ -27,6 +28,7 @@
 #include <limits>
 
 #include "limber/base/portable_math.h"
+#include "limber/hierarchy/build.h"
 
 namespace limber {
 namespace {
@@ -41,6 +43,13 @@ constexpr auto kMoreBenefit = [](const auto& a, const auto& b) {
   return a.benefit != b.benefit ? a.benefit > b.benefit : a.node != b.node ? a.node < b.node : a.to < b.to;
 };
 
+// The geometric mean of a[i] / b[i].
+double mean_ratio(std::span<const double> a, std::span<const double> b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += portable_log((a[i] + kRounding) / (b[i] + kRounding));
+  return portable_exp(sum / static_cast<double>(a.size()));
+}
+
 }  // namespace
 
 ReclusterOptions recluster_options(Follow follow) {
@@ -49,6 +58,7 @@ ReclusterOptions recluster_options(Follow follow) {
     case Follow::kCalm:
       options.threshold = 0.2;
       options.rebirth.hysteresis = 3;
+      options.restart.gain = 0.7;
       break;
     case Follow::kBalanced:
       break;
@@ -59,6 +69,7 @@ ReclusterOptions recluster_options(Follow follow) {
     case Follow::kPaper:
       options.benefit = Benefit::kFixed;
       options.rebirth.hysteresis = 0;
+      options.restart.jump = 0;
       options.fit.rounds = 0;
       break;
   }
@@ -66,7 +77,8 @@ ReclusterOptions recluster_options(Follow follow) {
 }
 
 Reclusterer::Reclusterer(const Mesh& mesh, Hierarchy base, const ReclusterOptions& options)
-    : options_(options),
+    : mesh_(mesh),
+      options_(options),
       clusters_(std::move(base)),
       worth_(clusters_, options.benefit),
       is_valid_(clusters_.hierarchy(), clusters_.children(), options.topology),
@@ -88,6 +100,13 @@ void Reclusterer::measure_leeways(const LeewayOptions& options, std::span<Leeway
     const auto node = static_cast<Index>(vertex_count + i);
     leeways[i] = leeway(clusters_.quadric(node), clusters_.energy(node), scale_, options);
   }
+}
+
+// Of those above the finest.
+std::vector<double> Reclusterer::level_errors() const {
+  std::vector<double> errors;
+  for (Index level = 1; level < hierarchy().level_count(); ++level) errors.push_back(total_error(level));
+  return errors;
 }
 
 // The slope of log(total error) over log(size), by least squares over the levels above the finest. Levels that the
@@ -186,6 +205,24 @@ void Reclusterer::improve_level(Index level, double threshold) {
   }
 }
 
+void Reclusterer::try_anew(std::span<const Vec3f> positions) {
+  std::optional<Hierarchy> made =
+      build_alike(mesh_, positions, hierarchy(), {.topology = options_.topology, .quadrics = options_.quadrics});
+  if (!made) return;
+  ReclusterOptions options = options_;
+  options.growth = growth_;
+  options.restart.tries_first = false;
+  options.fit.rounds = 0;
+  Reclusterer anew(mesh_, std::move(*made), options);
+  anew.step(positions);
+  std::vector<double> errors = anew.level_errors();
+  const double unit = scale_ / anew.scale_, unit_2 = unit * unit;
+  for (double& error : errors) error *= unit_2 * unit_2;
+  if (!(mean_ratio(errors, level_errors()) < options_.restart.gain)) return;
+  clusters_.replace(anew.hierarchy());
+  has_restarted_ = true;
+}
+
 std::span<const Swap> Reclusterer::step(std::span<const Vec3f> positions) {
   assert(positions.size() == hierarchy().vertex_count());
   const Index vertex_count = hierarchy().vertex_count();
@@ -201,12 +238,18 @@ std::span<const Swap> Reclusterer::step(std::span<const Vec3f> positions) {
     growth_ = options_.growth.value_or(fitted_growth());
     worth_.set_weights(growth_, options_.coarser_weight);
   }
+  const RestartOptions& restart = options_.restart;
+  const bool is_jump = !graphs_.empty() && restart.jump > 0 &&
+                       (first_ ? restart.tries_first : mean_ratio(level_errors(), errors_before_) > restart.jump);
   parents_before_ = hierarchy().parent;
   for (Index level = 1; level < graphs_.size(); ++level)
     graph_builder_.build_coarser(hierarchy(), level, graphs_[level - 1], graphs_[level]);
   for (auto level = static_cast<Index>(graphs_.size()); level-- > 0;)
     improve_level(level, first_ ? 0.0 : options_.threshold);
+  has_restarted_ = false;
+  if (is_jump) try_anew(positions);
   clusters_.weigh();
+  errors_before_ = level_errors();
   fitted_energies_.assign(clusters_.energies().begin(), clusters_.energies().end());
   fit_.fit(vertex_quadrics_.areas(), clusters_.quadrics(), options_.fit, clusters_.minima(), fitted_energies_);
   first_ = false;

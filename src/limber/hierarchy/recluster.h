@@ -21,6 +21,18 @@
 
 namespace limber {
 
+// Where a clip jumps, from one scene or pose to another, a hierarchy made anew for the frame is better than one that
+// follows. All shares are geometric means over the levels.
+struct RestartOptions {
+  // A frame is tried that way where its errors, before anything is moved, are so many times those of the frame before,
+  // >= 1; 0: none is.
+  double jump = 1.5;
+  // What is made anew is taken where it leaves less than this share of the errors that following does, > 0.
+  double gain = 0.85;
+  // The first frame is tried, too: for where the base hierarchy was made for others beside it.
+  bool tries_first = false;
+};
+
 struct ReclusterOptions {
   Topology topology = Topology::kPreserve;
   QuadricOptions quadrics;
@@ -36,6 +48,7 @@ struct ReclusterOptions {
   Benefit benefit = Benefit::kExact;
   // Births and deaths of clusters beside the swaps.
   RebirthOptions rebirth;
+  RestartOptions restart;
   // How the nodes' positions are fitted to the surface; swaps are chosen by quadrics alone.
   FitOptions fit;
 };
@@ -67,7 +80,8 @@ class Reclusterer {
   Reclusterer& operator=(const Reclusterer&) = delete;
 
   // Adapts the hierarchy to the next frame; positions: [vertex_count], finite. Gives the net parent changes since the
-  // frame before, by node; in the first frame, the improvements of the base hierarchy, made without a threshold.
+  // frame before, by node; in the first frame, those of the base hierarchy, improved without a threshold. Where the
+  // hierarchy has been made anew (has_restarted()), with levels of the same sizes, these are most of its nodes.
   std::span<const Swap> step(std::span<const Vec3f> positions);
 
   // All of the last step:
@@ -82,6 +96,9 @@ class Reclusterer {
   void measure_leeways(const LeewayOptions& options, std::span<Leeway> leeways) const;
   // Sum of the quadric errors of a level, normalized by the frame's diagonal to the fourth power.
   double total_error(Index level) const { return clusters_.total_energy(level); }
+  // Whether it made the hierarchy anew, which is improved as the base is. In the first frame, whether the base was
+  // left.
+  bool has_restarted() const { return has_restarted_; }
   // The exponent in use, after the first step.
   double growth() const { return growth_; }
 
@@ -91,12 +108,15 @@ class Reclusterer {
     Index node, to;
   };
 
+  std::vector<double> level_errors() const;
   double fitted_growth() const;
   Candidate best_swap(const LevelGraph& graph, Index node, double least_benefit);
   void make_swaps(const LevelGraph& graph, double least_benefit);
   void touch(const LevelGraph& graph, Index cluster);
   void improve_level(Index level, double threshold);
+  void try_anew(std::span<const Vec3f> positions);
 
+  const Mesh& mesh_;
   ReclusterOptions options_;
   Clustering clusters_;
   Worth worth_;
@@ -108,6 +128,8 @@ class Reclusterer {
   double growth_ = 0;
   double scale_ = 0;  // of the first frame's normalization, used for all
   bool first_ = true;
+  bool has_restarted_ = false;
+  std::vector<double> errors_before_;  // level_errors() of the frame before
 
   std::vector<double> fitted_energies_;  // [node_count], squared errors after the fit
   std::vector<Vec3f> positions_;         // [node_count]

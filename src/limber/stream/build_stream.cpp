@@ -35,6 +35,7 @@ struct FollowedFrame {
   std::vector<Vec3f> positions;  // [node_count]
   std::vector<float> errors;     // [node_count]
   std::vector<Leeway> leeways;   // [node_count - vertex_count], or none
+  bool is_anew = false;          // the hierarchy does not follow the one before
 };
 
 class StreamBuilder {
@@ -87,8 +88,9 @@ Result<void> StreamBuilder::make_base() {
   if (!hierarchy) return hierarchy.error();
   for (Index level = 0; level < hierarchy->level_count(); ++level)
     report_.level_sizes.push_back(hierarchy->level_size(level));
-  reclusterer_ = std::make_unique<Reclusterer>(clip_.mesh(), std::move(*hierarchy),
-                                               as_contracted(options_.recluster, options_.hierarchy.contract));
+  ReclusterOptions recluster = as_contracted(options_.recluster, options_.hierarchy.contract);
+  recluster.restart.tries_first = frames.size() > 1;
+  reclusterer_ = std::make_unique<Reclusterer>(clip_.mesh(), std::move(*hierarchy), recluster);
   return clip_.rewind();
 }
 
@@ -119,7 +121,13 @@ Result<bool> StreamBuilder::follow(FollowedFrame& frame) {
     reclusterer_->measure_leeways({options_.leeway_share, leeway_distance()}, frame.leeways);
   }
   // In the first frame, swaps are improvements of the base hierarchy, which is stored with them.
-  if (report_.frame_count++ > 0) swap_counts_.push_back(static_cast<double>(swaps.size()));
+  frame.is_anew = reclusterer_->has_restarted();
+  if (report_.frame_count++ > 0) {
+    if (frame.is_anew)
+      ++report_.restart_count;
+    else
+      swap_counts_.push_back(static_cast<double>(swaps.size()));
+  }
   report_.seconds.reclustering += seconds_since(read);
   return true;
 }
@@ -135,7 +143,8 @@ Result<void> StreamBuilder::begin(const FollowedFrame& first) {
 
 Result<void> StreamBuilder::encode(const FollowedFrame& frame) {
   const Clock::time_point start = Clock::now();
-  Result<void> added = encoder_.add(frame.hierarchy, frame.swaps, frame.positions, frame.errors, frame.leeways);
+  Result<void> added =
+      encoder_.add(frame.hierarchy, frame.swaps, frame.positions, frame.errors, frame.leeways, frame.is_anew);
   if (!added) return added;
   const ChunkSizes sizes = encoder_.sizes();
   report_.bytes.hierarchy += sizes.hierarchy;

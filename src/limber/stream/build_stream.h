@@ -19,7 +19,7 @@ namespace limber {
 struct BuildStreamOptions {
   // Levels, topology and quadrics; topology and quadrics hold for reclustering, too.
   BuildOptions hierarchy;
-  ReclusterOptions recluster;  // its topology and quadrics are those of `hierarchy`
+  ReclusterOptions recluster;  // its topology and quadrics are those of `hierarchy`, restart.tries_first is unused
   // By how much the quadric error of a node above the finest level may grow to save bytes, as a share of it (leeway.h);
   // beside that, by half the encoder's tolerance. 0: not at all, and nodes are kept within the tolerance.
   double leeway_share = LeewayOptions{}.error_share;
@@ -58,7 +58,8 @@ struct BuildReport {
   std::uint32_t base_frame_count = 0;  // that the base hierarchy was made for
   std::vector<Index> level_sizes;      // finest first
   double growth = 0;                   // the exponent in use
-  Spread swaps;                        // per frame, from the second on
+  Spread swaps;                        // per frame, from the second on, where the hierarchy was followed
+  std::uint32_t restart_count = 0;     // frames, keys all of them, for which it was made anew
   ChunkSizes bytes;                    // of all frames together, by kind
   std::uint64_t stream_bytes = 0;      // of the whole stream; the rest is header, mesh and index
 
