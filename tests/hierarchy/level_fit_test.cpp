@@ -68,14 +68,20 @@ struct Levels {
     return triangles;
   }
 
-  // Sum of area x squared distance of the finest vertices to a level's surface, wherever on it they are closest.
+  // The integral of the squared distance of the finest surface to a level's, wherever on it that is closest: a twelfth of
+  // each triangle's area at every corner, the rest at its middle.
   double squared_distance(Index level, const std::vector<Vec3d>& positions) const {
     std::vector<Vec3f> corners;
     for (const Vec3d& p : positions) corners.push_back(static_cast<Vec3f>(p));
     const std::vector<Triangle> of_level = triangles(level);
     const eval::ClosestPointTree tree({of_level, corners});
     double sum = 0;
-    for (Index v = 0; v < hierarchy.vertex_count(); ++v) sum += areas[v] * tree.closest(positions[v]).squared_distance;
+    const auto at = [&](const Vec3d& p) { return tree.closest(p).squared_distance; };
+    for (Index v = 0; v < hierarchy.vertex_count(); ++v) sum += areas[v] / 4 * at(positions[v]);
+    for (const auto& [a, b, c] : shape.mesh.triangles) {
+      const Vec3d &p = positions[a], &q = positions[b], &r = positions[c];
+      sum += 0.75 * 0.5 * length(cross(q - p, r - p)) * at((p + q + r) * (1.0 / 3));
+    }
     return sum;
   }
 

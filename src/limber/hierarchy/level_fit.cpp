@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A least squares fit by closest points. Neither paper has it: theirs stand at the minima of their quadrics.
 //
-//   for each level, from fine to coarse; its samples are the nodes of a finer level, kSamplesPerNode times as many:
+//   for each level, from fine to coarse; its samples are the nodes of a finer level, kSamplesPerNode times as many, or,
+//   where the finest has not so many, its vertices and the middles of its triangles:
 //     repeat `rounds` times, the first time with every other sample:
 //       for every sample p of weight w, its area, in the cluster of node i:
 //         c = the closest point to p on the level's triangles around i; at its corners j it has the weights b_j
@@ -44,7 +45,11 @@ Vec3d area_vector(const Triangle& t, std::span<const Vec3d> positions) {
 }  // namespace
 
 LevelFit::LevelFit(const Mesh& mesh, const Hierarchy& hierarchy)
-    : mesh_(mesh), hierarchy_(hierarchy), areas_(hierarchy.node_count()), area_vectors_(hierarchy.node_count()) {}
+    : mesh_(mesh),
+      hierarchy_(hierarchy),
+      areas_(hierarchy.node_count()),
+      area_vectors_(hierarchy.node_count()),
+      third_areas_(mesh.triangles.size()) {}
 
 void LevelFit::sum_clusters(std::span<const double> vertex_areas, std::span<const Vec3d> positions) {
   std::fill(std::copy(vertex_areas.begin(), vertex_areas.end(), areas_.begin()), areas_.end(), 0.0);
@@ -52,6 +57,7 @@ void LevelFit::sum_clusters(std::span<const double> vertex_areas, std::span<cons
   for (const Triangle& t : mesh_.triangles) {
     const Vec3d v = area_vector(t, positions) * (1.0 / 6);
     for (const Index vertex : t) area_vectors_[vertex] += v;
+    third_areas_[static_cast<std::size_t>(&t - mesh_.triangles.data())] = length(v);
   }
   for (Index node = 0; node < hierarchy_.node_count(); ++node) {
     const Index parent = hierarchy_.parent[node];
@@ -103,10 +109,32 @@ void LevelFit::find_members(Index level) {
     for (Index up = from; up < level; ++up) cluster = hierarchy_.parent[cluster];
     ++member_begin_[cluster - first_];
   }
+  const std::size_t triangle_count = has_centroids() ? mesh_.triangles.size() : 0;
+  for (std::size_t t = 0; t < triangle_count; ++t) ++member_begin_[cluster_of(mesh_.triangles[t]) - first_];
   sums(member_begin_);
-  members_.resize(clusters_.size());
+  members_.resize(clusters_.size() + triangle_count);
+  for (std::size_t t = triangle_count; t-- > 0;)
+    members_[--member_begin_[cluster_of(mesh_.triangles[t]) - first_]] =
+        hierarchy_.node_count() + static_cast<Index>(t);
   for (std::size_t i = clusters_.size(); i-- > 0;)
     members_[--member_begin_[clusters_[i] - first_]] = static_cast<Index>(begin + i);
+}
+
+// Of a finest triangle, where samples are of the finest level: that of two corners, or of any.
+Index LevelFit::cluster_of(const Triangle& t) const {
+  const Index a = clusters_[t[0]], b = clusters_[t[1]], c = clusters_[t[2]];
+  return b == c ? b : a;
+}
+
+// Vertices alone do not see what two of them in a cluster leave between.
+bool LevelFit::has_centroids() const {
+  return samples_ == 0 && hierarchy_.vertex_count() < std::uint64_t{kSamplesPerNode} * (end_ - first_);
+}
+
+LevelFit::Sample LevelFit::sample(Index member, std::span<const Vec3d> positions) const {
+  if (member < hierarchy_.node_count()) return {positions[member], areas_[member]};
+  const auto& [a, b, c] = mesh_.triangles[member - hierarchy_.node_count()];
+  return {(positions[a] + positions[b] + positions[c]) * (1.0 / 3), 9 * third_areas_[member - hierarchy_.node_count()]};
 }
 
 void LevelFit::look_around(Index node, std::span<const Vec3d> positions) {
@@ -144,13 +172,18 @@ void LevelFit::pull_towards(const Vec3d& point, double weight, Index node) {
 // With every step-th sample of a cluster, for all.
 void LevelFit::pull(std::span<const Vec3d> positions, Index step) {
   pulls_.assign(end_ - first_, {});
+  // With centroids each triangle is integrated as a quadratic: a twelfth for each corner, three quarters for its
+  // middle.
+  const double share = has_centroids() ? 0.25 : 1;
   for (Index node = first_; node < end_; ++node) {
     const Index begin = member_begin_[node - first_], end = member_begin_[node - first_ + 1];
     const Index by = end - begin < 2 * step ? 1 : step;
     look_around(node, positions);
     if (fan_.empty()) continue;
-    for (Index i = begin; i < end; i += by)
-      pull_towards(positions[members_[i]] - positions[node], by * areas_[members_[i]], node);
+    for (Index i = begin; i < end; i += by) {
+      const auto [point, area] = sample(members_[i], positions);
+      pull_towards(point - positions[node], by * share * area, node);
+    }
   }
 }
 

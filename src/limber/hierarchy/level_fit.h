@@ -40,6 +40,10 @@ class LevelFit {
   struct Side {
     Index a, b;  // of a triangle: the corners beside a node
   };
+  struct Sample {
+    Vec3d point;
+    double area;
+  };
   // What pulls at a node, as a function of how far it moves: the weighted sum of ((r - move).d)^2.
   struct Pull {
     Float4 squares{};   // of xx, yy, zz and of r
@@ -50,7 +54,10 @@ class LevelFit {
   void sum_clusters(std::span<const double> vertex_areas, std::span<const Vec3d> positions);
   void go_up(Index level);
   Index sample_level(Index level) const;
+  bool has_centroids() const;
+  Index cluster_of(const Triangle& triangle) const;
   void find_members(Index level);
+  Sample sample(Index member, std::span<const Vec3d> positions) const;
   void look_around(Index node, std::span<const Vec3d> positions);
   void pull_towards(const Vec3d& point, double weight, Index node);
   void pull(std::span<const Vec3d> positions, Index step);
@@ -63,6 +70,7 @@ class LevelFit {
   const Hierarchy& hierarchy_;
   std::vector<double> areas_;        // [node_count], of clusters
   std::vector<Vec3d> area_vectors_;  // [node_count], of clusters: sums of area x normal
+  std::vector<double> third_areas_;  // [triangle count]
 
   // Of the level at work:
   Index first_ = 0, end_ = 0;        // nodes
@@ -73,7 +81,7 @@ class LevelFit {
   Index samples_ = 0;                // the sample level
   std::vector<Index> clusters_;      // [size of the sample level]
   std::vector<Index> member_begin_;  // [level_size + 1], into members_
-  std::vector<Index> members_;       // nodes of the sample level, by cluster
+  std::vector<Index> members_;       // nodes of the sample level and, beyond the nodes, finest triangles, by cluster
   std::vector<Pull> pulls_;          // [level_size]
   Fan fan_;                          // of the node at work
   std::vector<Index> drawn_back_;    // nodes
