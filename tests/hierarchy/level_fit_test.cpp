@@ -68,8 +68,8 @@ struct Levels {
     return triangles;
   }
 
-  // The integral of the squared distance of the finest surface to a level's, wherever on it that is closest: a twelfth of
-  // each triangle's area at every corner, the rest at its middle.
+  // The integral of the squared distance of the finest surface to a level's, wherever on it that is closest: a twelfth
+  // of each triangle's area at every corner, the rest at its middle.
   double squared_distance(Index level, const std::vector<Vec3d>& positions) const {
     std::vector<Vec3f> corners;
     for (const Vec3d& p : positions) corners.push_back(static_cast<Vec3f>(p));
