@@ -13,7 +13,7 @@ namespace {
 // What was given; the rest is as `follow` says.
 struct Given {
   Follow follow = Follow::kBalanced;
-  std::optional<double> threshold, hysteresis, coarser_weight, growth, restart;
+  std::optional<double> threshold, hysteresis, coarser_weight, growth, restart, most_changed;
   std::optional<unsigned> rounds;
 
   ReclusterOptions apply() const {
@@ -23,6 +23,7 @@ struct Given {
     if (hysteresis) options.rebirth.hysteresis = *hysteresis;
     if (restart) options.restart.gain = *restart;
     if (restart && !(*restart > 0)) options.restart.jump = 0;
+    if (most_changed) options.most_changed = *most_changed;
     if (coarser_weight) options.coarser_weight = *coarser_weight;
     if (rounds) options.fit.rounds = *rounds;
     return options;
@@ -54,6 +55,11 @@ void declare_recluster(CLI::App& app, ReclusterOptions& options, const std::stri
   app.add_option(
          "--restart", given->restart,
          "where the clip jumps, make the hierarchy anew if that leaves less than this share of the error; 0: never")
+      ->check(in_range(0, 1))
+      ->type_name("SHARE")
+      ->group(group);
+  app.add_option("--max-changed", given->most_changed,
+                 "at most this share of the triangles of each level is new in a frame, as in 0.03")
       ->check(in_range(0, 1))
       ->type_name("SHARE")
       ->group(group);

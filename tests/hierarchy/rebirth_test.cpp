@@ -21,7 +21,8 @@ struct Scene {
         graph(test::graph_of(shape.mesh, clusters.hierarchy(), level, topology == Topology::kFree)),
         is_valid(clusters.hierarchy(), clusters.children(), topology),
         worth(clusters, Benefit::kExact),
-        rebirth(clusters, is_valid, worth) {
+        budget(clusters.hierarchy()),
+        rebirth(clusters, is_valid, worth, budget) {
     worth.set_weights(1.9, 0.2);
   }
   double error() const { return clusters.total_energy(level + 1); }
@@ -31,6 +32,7 @@ struct Scene {
   LevelGraph graph;
   SwapValidity is_valid;
   Worth worth;
+  ChangeBudget budget;
   Rebirth rebirth;
 };
 
@@ -126,7 +128,8 @@ TEST(Rebirth, LeavesEverythingAsItWasWhereADeathFindsNoBirth) {
   SwapValidity is_valid(clusters.hierarchy(), clusters.children(), Topology::kPreserve);
   Worth worth(clusters, Benefit::kExact);
   worth.set_weights(1.9, 0.2);
-  Rebirth rebirth(clusters, is_valid, worth);
+  ChangeBudget budget(clusters.hierarchy());
+  Rebirth rebirth(clusters, is_valid, worth, budget);
   const Hierarchy before = clusters.hierarchy();
   EXPECT_TRUE(rebirth.pair_up(graph, 0, {.hysteresis = 1e-9}).empty());
   EXPECT_EQ(clusters.hierarchy(), before);

@@ -2,6 +2,7 @@
 #include "limber/hierarchy/recluster.h"
 
 #include <gtest/gtest.h>
+#include <set>
 #include <type_traits>
 
 #include "limber/hierarchy/validate.h"
@@ -222,6 +223,47 @@ TEST(Reclusterer, StaysWithAClipThatOnlyGrowsOrMovesOn) {
     const float size = static_cast<float>(1 << frame);
     stepped(r, moved(ball, [&](Vec3f p) { return p * size + Vec3f{3 * size, 0, 0}; }).positions);
     EXPECT_FALSE(r.has_restarted()) << frame;
+  }
+}
+
+// The triangles of a level as sets of nodes, each once.
+std::set<Triangle> triangles_of(const Mesh& mesh, const Hierarchy& h, Index level) {
+  std::set<Triangle> images;
+  const std::vector<Index> at = test::ancestors(h, level);
+  for (const Triangle& t : mesh.triangles) {
+    Triangle image{at[t[0]], at[t[1]], at[t[2]]};
+    std::sort(image.begin(), image.end());
+    if (!is_degenerate(image)) images.insert(image);
+  }
+  return images;
+}
+
+TEST(Reclusterer, ChangesNoMoreTrianglesOfALevelThanItMay) {
+  for (const Topology topology : {Topology::kPreserve, Topology::kFree}) {
+    for (const Shape& shape : {test::jittered(test::sphere(4), 0.02f, 4), test::waved(test::sheet(30, 25))}) {
+      for (const double share : {0.0, 0.02, 0.2}) {
+        const ReclusterOptions options{
+            .topology = topology, .quadrics = {}, .growth = {}, .threshold = 0, .most_changed = share};
+        Reclusterer r(shape.mesh, test::built(shape, 3, topology), options);
+        stepped(r, deformed(shape, 0).positions);
+        std::size_t most_used = 0;
+        for (int frame = 1; frame < 8; ++frame) {
+          const Hierarchy last = r.hierarchy();
+          stepped(r, deformed(shape, frame).positions);
+          EXPECT_FALSE(r.has_restarted());
+          for (Index level = 1; level < last.level_count(); ++level) {
+            const std::set<Triangle> before = triangles_of(shape.mesh, last, level),
+                                     after = triangles_of(shape.mesh, r.hierarchy(), level);
+            const auto fresh = static_cast<std::size_t>(
+                std::ranges::count_if(after, [&](const Triangle& t) { return !before.contains(t); }));
+            EXPECT_LE(static_cast<double>(fresh), share * static_cast<double>(before.size()));
+            if (level == 1) most_used = std::max(most_used, fresh * 100 / before.size());
+          }
+        }
+        // In percent: it does not just stand still.
+        EXPECT_GE(most_used, share > 0.1 ? 4u : share > 0 ? 1u : 0u);
+      }
+    }
   }
 }
 

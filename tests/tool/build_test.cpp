@@ -125,7 +125,7 @@ TEST_F(Build, EveryOptionGivesASoundStream) {
       {"--topology", "free"},  {"--branching", "2"}, {"--base-frames", "1"},    {"--threshold", "0"},
       {"--fit", "0"},          {"--keys", "1"},      {"--coarser-weight", "1"}, {"--growth", "1.9127"},
       {"--tolerance", "0.01"}, {"--follow", "calm"}, {"--follow", "close"},     {"--follow", "paper"},
-      {"--hysteresis", "0"},   {"--restart", "0"}};
+      {"--hysteresis", "0"},   {"--restart", "0"},   {"--max-changed", "0.02"}};
   for (const auto& options : all) {
     const std::string made = stream("a.limber", [&] {
       auto with_force = options;

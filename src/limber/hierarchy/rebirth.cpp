@@ -57,13 +57,27 @@ void Rebirth::find_deaths(const LevelGraph& graph, double most) {
             [](const Death& a, const Death& b) { return a.cost != b.cost ? a.cost < b.cost : a.cluster < b.cluster; });
 }
 
+// None where the budget does not allow it.
+bool Rebirth::move(const LevelGraph& graph, Index node, Index to) {
+  const Index from = clusters_.parent(node);
+  clusters_.move(node, to);
+  if (!budget_.spend(graph, node, from)) {
+    clusters_.move(node, from);
+    return false;
+  }
+  moves_.push_back({node, from});
+  return true;
+}
+
 void Rebirth::undo() {
   for (; !moves_.empty(); moves_.pop_back()) clusters_.move(moves_.back().node, moves_.back().parent);
+  budget_.undo();
 }
 
 // Moves all children over; none where that is not valid.
 bool Rebirth::end(const LevelGraph& graph, const Death& death) {
   moves_.clear();
+  budget_.keep();
   bool is_stuck = false;
   while (!is_stuck) {
     is_stuck = true;
@@ -71,8 +85,7 @@ bool Rebirth::end(const LevelGraph& graph, const Death& death) {
       next = clusters_.children().next_sibling(child);
       const bool last = clusters_.has_one_child(death.cluster);
       if (!(last ? is_valid_.may_end(graph, child, death.heir) : is_valid_(graph, child, death.heir))) continue;
-      moves_.push_back({child, death.cluster});
-      clusters_.move(child, death.heir);
+      if (!move(graph, child, death.heir)) continue;
       if (last) return true;
       is_stuck = false;
     }
@@ -90,17 +103,19 @@ void Rebirth::grow(const LevelGraph& graph, Index old, Index cluster) {
       const double gain = worth_.of_swap(child, cluster);
       if (gain > most && is_valid_(graph, child, cluster)) most = gain, best = child;
     }
-    if (best == kNone) return;
-    clusters_.move(best, cluster);
+    if (best == kNone || !move(graph, best, cluster)) return;
   }
 }
 
 // `cluster` is empty.
 bool Rebirth::found(const LevelGraph& graph, const Birth& birth, Index cluster) {
   if (!is_valid_.may_found(graph, birth.founder)) return false;
-  const Index parent = clusters_.parent(birth.cluster);
-  if (clusters_.parent(cluster) != parent) clusters_.move(cluster, parent);
-  clusters_.move(birth.founder, cluster);
+  const Index parent = clusters_.parent(birth.cluster), parent_before = clusters_.parent(cluster);
+  if (parent_before != parent) clusters_.move(cluster, parent);
+  if (!move(graph, birth.founder, cluster)) {
+    if (parent_before != parent) clusters_.move(cluster, parent_before);
+    return false;
+  }
   grow(graph, birth.cluster, cluster);
   return true;
 }

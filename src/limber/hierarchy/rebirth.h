@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "limber/hierarchy/change_budget.h"
 #include "limber/hierarchy/clustering.h"
 #include "limber/hierarchy/level_graph.h"
 #include "limber/hierarchy/swap_validity.h"
@@ -24,8 +25,12 @@ struct RebirthOptions {
 class Rebirth {
  public:
   // All of them must outlive this object.
-  Rebirth(Clustering& clusters, SwapValidity& is_valid, const Worth& worth)
-      : clusters_(clusters), is_valid_(is_valid), worth_(worth), is_locked_(clusters.hierarchy().node_count(), 0) {}
+  Rebirth(Clustering& clusters, SwapValidity& is_valid, const Worth& worth, ChangeBudget& budget)
+      : clusters_(clusters),
+        is_valid_(is_valid),
+        worth_(worth),
+        budget_(budget),
+        is_locked_(clusters.hierarchy().node_count(), 0) {}
 
   // One round over the clusters of the nodes of `graph`, every cluster in one pair at most; a pair must gain more than
   // `least`. Gives the clusters that have changed, two or three for each pair.
@@ -46,14 +51,16 @@ class Rebirth {
   bool end(const LevelGraph& graph, const Death& death);
   bool found(const LevelGraph& graph, const Birth& birth, Index cluster);
   void grow(const LevelGraph& graph, Index old, Index cluster);
+  bool move(const LevelGraph& graph, Index node, Index to);
   void undo();
 
   Clustering& clusters_;
   SwapValidity& is_valid_;
   const Worth& worth_;
+  ChangeBudget& budget_;
   std::vector<Birth> births_;
   std::vector<Death> deaths_;
-  std::vector<Swap> moves_;   // that undo the death at work, last first
+  std::vector<Swap> moves_;   // that undo what the pair at work has moved, last first
   std::vector<Index> heirs_;  // scratch
   std::vector<Index> changed_;
   std::vector<char> is_locked_;  // [node_count]: has changed in this round

@@ -81,8 +81,9 @@ Reclusterer::Reclusterer(const Mesh& mesh, Hierarchy base, const ReclusterOption
       options_(options),
       clusters_(std::move(base)),
       worth_(clusters_, options.benefit),
+      budget_(clusters_.hierarchy()),
       is_valid_(clusters_.hierarchy(), clusters_.children(), options.topology),
-      rebirth_(clusters_, is_valid_, worth_),
+      rebirth_(clusters_, is_valid_, worth_, budget_),
       vertex_quadrics_(mesh, options.quadrics),
       graphs_(hierarchy().level_count() - 1),
       positions_(hierarchy().node_count()),
@@ -180,6 +181,10 @@ void Reclusterer::make_swaps(const LevelGraph& graph, double least_benefit) {
       if (!is_valid_(graph, c.node, c.to)) continue;
       const Index from = clusters_.parent(c.node);
       clusters_.move(c.node, c.to);
+      if (!budget_.spend(graph, c.node, from)) {
+        clusters_.move(c.node, from);
+        continue;
+      }
       touch(graph, from);
       touch(graph, c.to);
     }
@@ -244,10 +249,12 @@ std::span<const Swap> Reclusterer::step(std::span<const Vec3f> positions) {
   parents_before_ = hierarchy().parent;
   for (Index level = 1; level < graphs_.size(); ++level)
     graph_builder_.build_coarser(hierarchy(), level, graphs_[level - 1], graphs_[level]);
+  const bool is_limited = !first_ && options_.most_changed < 1;
+  if (is_limited) budget_.limit(graphs_, options_.most_changed);
   for (auto level = static_cast<Index>(graphs_.size()); level-- > 0;)
     improve_level(level, first_ ? 0.0 : options_.threshold);
   has_restarted_ = false;
-  if (is_jump) try_anew(positions);
+  if (is_jump && !is_limited) try_anew(positions);
   clusters_.weigh();
   errors_before_ = level_errors();
   fitted_energies_.assign(clusters_.energies().begin(), clusters_.energies().end());

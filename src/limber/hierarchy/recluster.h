@@ -10,6 +10,7 @@
 #include "limber/base/quadric.h"
 #include "limber/base/vec.h"
 #include "limber/contract/contract.h"
+#include "limber/hierarchy/change_budget.h"
 #include "limber/hierarchy/clustering.h"
 #include "limber/hierarchy/hierarchy.h"
 #include "limber/hierarchy/leeway.h"
@@ -49,6 +50,9 @@ struct ReclusterOptions {
   // Births and deaths of clusters beside the swaps.
   RebirthOptions rebirth;
   RestartOptions restart;
+  // From the second frame on, at most this share of the triangles of any level is new, >= 0; 1 and more: no limit. With
+  // a limit nothing is made anew but the first frame. It holds for levels; a cut to a size chooses its nodes by itself.
+  double most_changed = 1;
   // How the nodes' positions are fitted to the surface; swaps are chosen by quadrics alone.
   FitOptions fit;
 };
@@ -120,6 +124,7 @@ class Reclusterer {
   ReclusterOptions options_;
   Clustering clusters_;
   Worth worth_;
+  ChangeBudget budget_;
   SwapValidity is_valid_;
   Rebirth rebirth_;
   VertexQuadrics vertex_quadrics_;
