@@ -280,6 +280,20 @@ TEST(SwapValidity, KeepsEveryLevelHomeomorphicThroughRandomDeathsAndBirths) {
   }
 }
 
+TEST(SwapValidity, DoesNotEndTheTipOfATriangleThatHangsOnAPinchedVertex) {
+  // Vertex 1 would be left without a triangle, though 2 still has others.
+  const Mesh mesh{6, {{0, 1, 2}, {2, 3, 4}, {2, 4, 5}}};
+  const Hierarchy h{{0, 6, 12}, {6, 7, 8, 9, 10, 11, kNone, kNone, kNone, kNone, kNone, kNone}};
+  const ChildLists clusters(h);
+  const LevelGraph graph = test::graph_of(mesh, h, 0, false);
+  ASSERT_EQ(graph.star_of(0), StarKind::kBorder);
+  ASSERT_EQ(graph.star_of(2), StarKind::kIrregular);
+  SwapValidity is_valid(h, clusters, Topology::kPreserve);
+  EXPECT_FALSE(is_valid.may_end(graph, 0, 6 + 2));
+  EXPECT_FALSE(is_valid.may_end(graph, 0, 6 + 1));
+  EXPECT_TRUE(is_valid.may_end(graph, 3, 6 + 4)) << "the other triangle is left there";
+}
+
 TEST(SwapValidity, LetsTheLastOfAClusterEndItBesideAnyOtherOnAStraightBoundary) {
   const Drawing drawing({"aaabbb", "aacbbb", "aaabbb"});
   const Index c = drawing.swap(2, 1, 'a').node;

@@ -99,6 +99,13 @@ bool SwapValidity::touches_beyond_runs(const LevelGraph& graph, Index cluster, I
   });
 }
 
+// Whether all clusters around the node, which is all that its own has, keep triangles without it. Precondition: runs_.
+bool SwapValidity::leaves_surface(const LevelGraph& graph, Index node) const {
+  return runs_.size() > 3 || std::all_of(runs_.begin(), runs_.end(), [&](Index label) {
+           return label == kNone || touches_beyond_runs(graph, label, node);
+         });
+}
+
 // Whether those neighbours that the node has in `from` are connected with each other inside `from` without it: searched
 // from one of them until all are found.
 bool SwapValidity::keeps_connection(const LevelGraph& graph, Index node, Index from, Index levels_up) {
@@ -150,9 +157,9 @@ bool SwapValidity::may_end(const LevelGraph& graph, Index node, Index to) {
   const Index from = hierarchy_.parent[node];
   assert(children_.first_child(from) == node && children_.next_sibling(node) == kNone && from != to);
   if (!is_swappable(graph, node)) return false;
-  if (topology_ == Topology::kPreserve ? !find_runs(graph, node, 1) || !keeps_contacts(graph, node, from, to, 1) ||
-                                             (runs_.size() <= 3 && !touches_beyond_runs(graph, to, node))
-                                       : !is_beside(graph, node, to, 1))
+  if (topology_ == Topology::kPreserve
+          ? !find_runs(graph, node, 1) || !keeps_contacts(graph, node, from, to, 1) || !leaves_surface(graph, node)
+          : !is_beside(graph, node, to, 1))
     return false;
   return is_valid_from(graph, node, hierarchy_.parent[from], hierarchy_.parent[to], 2);
 }

@@ -33,6 +33,7 @@ class SwapValidity {
   bool find_runs(const LevelGraph& graph, Index node, Index levels_up);
   bool keeps_homeomorphism(const LevelGraph& graph, Index node, Index from, Index to, Index levels_up);
   bool touches_beyond_runs(const LevelGraph& graph, Index cluster, Index except) const;
+  bool leaves_surface(const LevelGraph& graph, Index node) const;
   bool keeps_contacts(const LevelGraph& graph, Index node, Index from, Index to, Index levels_up);
   bool keeps_connection(const LevelGraph& graph, Index node, Index from, Index levels_up);
   bool is_beside(const LevelGraph& graph, Index node, Index cluster, Index levels_up, Index except = kNone) const;
