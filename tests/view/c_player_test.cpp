@@ -225,6 +225,8 @@ TEST(CPlayer, FetchesLevelsErrorsAndMovedVerticesWhereAsked) {
       moved_now += mesh.moved[v];
     }
     EXPECT_GT(mesh.rms_error, 0);
+    for (std::uint32_t v = 0; v < info.vertex_count; ++v)
+      ASSERT_TRUE(std::binary_search(mesh.nodes, mesh.nodes + mesh.vertex_count, mesh.labels[v]));
     if (mesh.frame % test::kKeyInterval == 0) {
       EXPECT_EQ(moved_now, 0u) << "a key has no swaps";
     }

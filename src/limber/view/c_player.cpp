@@ -363,6 +363,7 @@ limber_status limber_cut_update(limber_cut* cut, const limber_cut_options* optio
   value.normals = reinterpret_cast<const float*>(buffers.normals.data());
   value.indices = buffers.indices.data();
   value.nodes = buffers.nodes.data();
+  value.labels = cut->cut->labels().data();
   if ((chosen->fetch & LIMBER_FETCH_LEVELS) != 0) {
     list_levels(state.hierarchy, buffers.nodes, cut->levels);
     value.levels = cut->levels.data();
