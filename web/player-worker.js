@@ -155,7 +155,7 @@ class Session {
       this.wanted = null;
       const buffers = meshes.flatMap((mesh) => ARRAYS.map((name) => mesh[name]?.buffer)).filter(Boolean);
       const times = { seek: sought - start, cut: done - sought };
-      this.post({ type: 'frame', id: wanted.id, frame: wanted.frame, meshes, times }, buffers);
+      this.post({ type: 'frame', id: wanted.id, frame: wanted.frame, meshes, times, bytesThere: player.info.bytesThere }, buffers);
     } catch (error) {
       this.wanted = null;
       this.fail(error, wanted.id);

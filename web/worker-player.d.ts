@@ -7,6 +7,8 @@ export interface Shown {
   meshes: MeshData[];
   /** milliseconds on the worker */
   times: { seek: number; cut: number };
+  /** of the stream, so far */
+  bytesThere: number;
 }
 
 /**

@@ -72,7 +72,7 @@ test('native and WebAssembly players give the same bytes on generated clips', as
   await expectSameCuts(build('sample:gallop?vertices=4000&frames=6', 'gallop'), 'triangles', 1500);
 });
 
-const data = process.env.LIMBER_DATA;
+const data = process.env.LIMBER_DATA ?? join(web, '../../data');
 const horse = data && existsSync(join(data, 'horse-gallop/0001.obj'));
 test('native and WebAssembly players give the same bytes on real clips', { skip: horse ? false : 'no real clips here' }, async () => {
   const file = build(join(data, 'horse-gallop/%04d.obj'), 'horse', ['--last', '12']);

@@ -22,8 +22,8 @@ export const errorGradient = cssRamp(ERROR_STOPS);
 // Hues far apart for numbers that are near.
 export function clusterColor(node, target) {
   const turn = (node * 0.618033988749895) % 1;
-  const light = 0.5 + 0.16 * ((node * 0.7548776662466927) % 1);
-  return target.setHSL(turn, 0.46, light);
+  const light = 0.42 + 0.16 * ((node * 0.7548776662466927) % 1);
+  return target.setHSL(turn, 0.58, light);
 }
 
 // Fills `table` ([3 x nodeCount]) where nodes of the mesh stand. `scale`: the error that has the last colour.

@@ -86,8 +86,9 @@ async function show() {
   if (state.player === player) state.isShowing = false;
 }
 
-function use({ frame, meshes, times }) {
+function use({ frame, meshes, times, bytesThere }) {
   const [approximation, original = null] = meshes;
+  state.bytesAtFirstPicture ??= bytesThere;
   state.frame = frame;
   state.shown = { frame, vertices: approximation.vertexCount, triangles: approximation.triangleCount, rmsError: approximation.rmsError, swaps: approximation.swapCount };
   if (stage.errorScale === 0) {
@@ -168,9 +169,12 @@ function tick(now) {
 
 // ---- Streams
 
-async function open(source) {
+// `isAgain`: the same stream as before; where one was and from where one looked stays.
+async function open(source, { isAgain = false } = {}) {
   state.player?.close();
-  Object.assign(state, { player: null, info: null, source, isShowing: false, needsShow: false, shown: null });
+  state.startFrame = isAgain ? state.wantedFrame : Number(settings.frame ?? 0) || 0;
+  state.keepsCamera = isAgain;
+  Object.assign(state, { player: null, info: null, source, isShowing: false, needsShow: false, shown: null, bytesAtFirstPicture: undefined });
   by('card').hidden = true;
   by('name').textContent = source.name;
   by('about').textContent = 'Loading…';
@@ -181,19 +185,18 @@ async function open(source) {
   listen('info', infoArrived);
   listen('progress', progressed);
   listen('failure', fail);
-  await player.open(source.from, { prefetch: PREFETCH }).catch(() => {}); // 'failure' says it
+  await player.open(source.from, { prefetch: Number(settings.prefetch ?? PREFETCH) }).catch(() => {}); // 'failure' says it
 }
 
 function infoArrived({ info, sizes, keys }) {
   const isFirst = state.info === null;
   state.info = info;
   if (isFirst) {
-    stage.setStream(info);
+    stage.setStream(info, state.keepsCamera);
     detail.setStream(info, { by: settings.by ?? detail.by, amount: settings.amount });
     timeline.setStream(frameCount(), info.firstFrameNumber);
-    const first = Number(settings.frame ?? 0) || 0;
     setPlaying(!('paused' in settings));
-    seek(first);
+    seek(state.startFrame);
   }
   timeline.setFrames({ sizes, keys, frameCount: frameCount() });
   by('timeline').setAttribute('aria-valuemax', frameCount() - 1);
@@ -320,7 +323,7 @@ const actions = {
   theme: () => applyTheme(document.documentElement.dataset.theme === 'dark' ? 'light' : 'dark'),
   open: () => by('file').click(),
   choose: () => by('file').click(),
-  retry: () => open(state.source),
+  retry: () => open(state.source, { isAgain: true }),
   help: () => by('keys').showModal(),
   more: () => by('panel').classList.toggle('open'),
 };

@@ -57,13 +57,13 @@ export class Stage {
     this.renderer.setScissorTest(true);
     this.scene = new Scene();
     this.camera = new PerspectiveCamera(32, 1, 0.01, 100);
-    const key = new DirectionalLight(0xfff4e8, 2.3);
-    key.position.set(-1.2, 1.6, 1.4);
-    const rim = new DirectionalLight(0xcfe0ff, 0.9);
+    const key = new DirectionalLight(0xfff2e2, 2.9);
+    key.position.set(-1.5, 1.9, 0.7);
+    const rim = new DirectionalLight(0xbfd6ff, 1.1);
     rim.position.set(1.6, 0.4, -1.2);
     this.camera.add(key, key.target, rim, rim.target);
     for (const light of [key, rim]) light.target.position.set(0, 0, -1);
-    this.scene.add(this.camera, new HemisphereLight(0xe8eef6, 0x4a4038, 1.15), new AmbientLight(0xffffff, 0.25));
+    this.scene.add(this.camera, new HemisphereLight(0xdfe8f4, 0x38302a, 0.75), new AmbientLight(0xffffff, 0.12));
     this.approximation = new Shape();
     this.original = new Shape();
     this.scene.add(this.approximation.group, this.original.group);
@@ -124,14 +124,14 @@ export class Stage {
   }
 
   // [nodeCount] arrays for a new stream.
-  setStream(info) {
+  setStream(info, keepsCamera = false) {
     this.info = info;
     this.table = new Float32Array(3 * info.nodeCount);
     this.flashedAt = new Float64Array(info.nodeCount).fill(-1e9);
     this.errorScale = 0;
     this.approximation.data = null;
     this.original.data = null;
-    this.sphere = null;
+    if (!keepsCamera) this.sphere = null;
   }
 
   setMeshes(approximation, original, labels) {
