@@ -74,6 +74,7 @@ class Session {
   }
 
   async read({ offset, size }) {
+    this.reading = { offset, end: offset + size };
     this.abort = new AbortController();
     try {
       const take = (at, bytes) => this.take(() => this.player.supply(at, bytes));
@@ -82,6 +83,7 @@ class Session {
       if (error.name !== 'AbortError') throw error;
     }
     this.abort = null;
+    this.reading = null;
     this.arrived(true);
   }
 
@@ -138,8 +140,15 @@ class Session {
     this.playhead = request.frame;
     this.answer();
     if (!this.wanted) return;
-    this.abort?.abort();
+    if (!this.isComing(request.frame)) this.abort?.abort();
     this.wake?.();
+  }
+
+  // Whether what is being read brings what the frame needs first.
+  isComing(frame) {
+    if (!this.reading || !this.player.info) return true;
+    const range = this.player.missing(frame);
+    return range !== null && range.offset >= this.reading.offset && range.offset < this.reading.end;
   }
 
   // Shows the frame that is waited for, if all its bytes are there.

@@ -192,11 +192,11 @@ typedef struct limber_mesh {
                          // for, in units of the input; null where not fetched
   const uint8_t* moved;  // [vertex_count]: 1 where this frame's swaps gave the vertex another part of the surface;
                          // null where not fetched
-  const uint32_t* labels;   // [limber_info.vertex_count]: the node that stands for each vertex of the input
+  const uint32_t* labels;  // [limber_info.vertex_count]: the node that stands for each vertex of the input
 } limber_mesh;
 
 #define LIMBER_MESH_INIT \
-  { sizeof(limber_mesh), 0, 0, 0, 0, 0, NULL, NULL, NULL, NULL, NULL, NULL, NULL }
+  { sizeof(limber_mesh), 0, 0, 0, 0, 0, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL }
 
 limber_cut* limber_cut_create(limber_player* player);
 void limber_cut_destroy(limber_cut* cut);  // null is allowed

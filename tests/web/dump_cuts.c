@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// dump_cuts BY AMOUNT <STREAM: all arrays of the cut of every frame, as they lie in memory. What players on other machines give
-// is compared with it (player_test.mjs).
+// dump_cuts BY AMOUNT <STREAM: all arrays of the cut of every frame, as they lie in memory. What players on other
+// machines give is compared with it (player_test.mjs).
 #include <stdio.h>
 #include <stdlib.h>
 

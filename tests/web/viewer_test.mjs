@@ -161,7 +161,8 @@ describe('the viewer', { skip }, () => {
     withPage(`${url}#paused&frame=5`, async (page) => {
       await firstPicture(page);
       const picture = async () => {
-        await page.waitForTimeout(350);
+        await page.waitForTimeout(100);
+        await shows(page, () => !limberViewer.state.isShowing && !limberViewer.stage.isDirty && !limberViewer.stage.flight);
         return page.locator('#stage').screenshot();
       };
       const pictures = [await picture()];
@@ -176,16 +177,6 @@ describe('the viewer', { skip }, () => {
         pictures.push(await picture());
       }
       for (let i = 1; i < pictures.length; ++i) assert.notEqual(Buffer.compare(pictures[i - 1], pictures[i]), 0, `picture ${i}`);
-      const middle = await page.evaluate(() => {
-        const { stage } = limberViewer;
-        stage.isDirty = true;
-        stage.draw(performance.now());
-        const gl = stage.renderer.getContext();
-        const pixel = new Uint8Array(4);
-        gl.readPixels(gl.drawingBufferWidth / 4, gl.drawingBufferHeight / 2, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
-        return pixel[3];
-      });
-      assert.ok(middle >= 0);
       await page.keyboard.press('m');
       await page.keyboard.press('ArrowRight');
       await shows(page, () => limberViewer.state.shown.frame === 6);

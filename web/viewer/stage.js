@@ -86,7 +86,7 @@ export class Stage {
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.enableDamping = true;
     this.controls.dampingFactor = 0.16;
-    this.controls.zoomToCursor = true;
+    this.controls.zoomToCursor = this.compare !== 'side'; // of two pictures the cursor is in one
     if (target) this.controls.target.copy(target);
     this.controls.addEventListener('change', () => {
       this.isDirty = true;
@@ -260,6 +260,7 @@ export class Stage {
 
   setCompare(compare) {
     this.compare = compare;
+    this.controls.zoomToCursor = compare !== 'side';
     this.isDirty = true;
   }
 
