@@ -16,7 +16,7 @@ export interface Shown {
  * key), 'progress' (detail: {bytesThere, size, there}), 'failure' (detail: LimberError; loading has ended).
  */
 export class WorkerPlayer extends EventTarget {
-  constructor(options?: { workerUrl?: string | URL; module?: ModuleSource });
+  constructor(options?: { workerUrl?: string | URL; workerType?: WorkerType; module?: ModuleSource });
   /** null until header and mesh are there */
   readonly info: StreamInfo | null;
 

@@ -5,28 +5,50 @@ import { serve } from './player-worker.js';
 
 const ARRAYS = ['positions', 'normals', 'indices', 'nodes', 'levels', 'errors', 'moved', 'labels'];
 
-function connect(workerUrl, receive) {
+// The same in the page itself.
+function connectInPage(receive) {
+  let isOpen = true;
+  const answer = serve((message) => queueMicrotask(() => isOpen && receive(message)));
+  return { send: (message) => answer(message), close: () => (isOpen = false) };
+}
+
+// Some places have no workers, or refuse them when they start: what was sent by then is sent again within the page.
+function connect({ workerUrl, workerType = 'module' }, receive) {
+  let worker;
   try {
-    const worker = new Worker(workerUrl ?? new URL('player-worker.js', import.meta.url), { type: 'module' });
-    worker.onmessage = (event) => receive(event.data);
-    worker.onerror = (event) => receive({ type: 'error', code: 'failure', message: event.message ?? 'the worker failed' });
-    return { send: (message, transfer = []) => worker.postMessage(message, transfer), close: () => worker.terminate() };
+    worker = new Worker(workerUrl ?? new URL('player-worker.js', import.meta.url), { type: workerType });
   } catch {
-    // No workers here: the same in the page itself.
-    let isOpen = true;
-    const answer = serve((message) => queueMicrotask(() => isOpen && receive(message)));
-    return { send: (message) => answer(message), close: () => (isOpen = false) };
+    return connectInPage(receive);
   }
+  let unanswered = [];
+  const connection = {
+    send(message, transfer = []) {
+      unanswered?.push(message);
+      worker.postMessage(message, transfer);
+    },
+    close: () => worker.terminate(),
+  };
+  worker.onmessage = (event) => {
+    unanswered = null;
+    receive(event.data);
+  };
+  worker.onerror = (event) => {
+    event.preventDefault();
+    if (!unanswered) return receive({ type: 'error', code: 'failure', message: event.message ?? 'the worker failed' });
+    Object.assign(connection, connectInPage(receive));
+    for (const message of unanswered) connection.send(message);
+  };
+  return connection;
 }
 
 export class WorkerPlayer extends EventTarget {
-  constructor({ workerUrl, module } = {}) {
+  constructor({ workerUrl, workerType, module } = {}) {
     super();
     this.module = module;
     this.waiting = new Map();
     this.lastId = 0;
     this.info = null;
-    this.connection = connect(workerUrl, (message) => this.receive(message));
+    this.connection = connect({ workerUrl, workerType }, (message) => this.receive(message));
   }
 
   // Resolves when header and mesh are there.

@@ -72,13 +72,15 @@ async function show() {
   if (state.isShowing) return;
   state.isShowing = true;
   const { player } = state;
+  let { last } = state;
   try {
     while (state.needsShow && state.player === player) {
       state.needsShow = false;
       const shown = await player.show(state.wantedFrame, cuts());
       if (!shown || state.player !== player) continue;
       use(shown);
-      player.recycle(shown);
+      if (last) player.recycle(last); // what is shown is still painted from
+      state.last = last = shown;
     }
   } catch (error) {
     if (state.player === player) fail(error);
@@ -136,7 +138,7 @@ function setPlaying(isPlaying) {
 
 function advance(seconds) {
   const { info } = state;
-  if (!state.isPlaying || state.isShowing || timeline.isDragging) return;
+  if (!info || !state.isPlaying || state.isShowing || timeline.isDragging) return;
   const length = frameCount() / info.framesPerSecond;
   state.clock += Math.min(seconds, 0.25) * state.speed;
   if (state.clock >= length) {
@@ -172,14 +174,15 @@ function tick(now) {
 // `isAgain`: the same stream as before; where one was and from where one looked stays.
 async function open(source, { isAgain = false } = {}) {
   state.player?.close();
+  setPlaying(false);
   state.startFrame = isAgain ? state.wantedFrame : Number(settings.frame ?? 0) || 0;
   state.keepsCamera = isAgain;
-  Object.assign(state, { player: null, info: null, source, isShowing: false, needsShow: false, shown: null, bytesAtFirstPicture: undefined });
+  Object.assign(state, { player: null, info: null, source, isShowing: false, needsShow: false, shown: null, last: null, bytesAtFirstPicture: undefined });
   by('card').hidden = true;
   by('name').textContent = source.name;
   by('about').textContent = 'Loading…';
   document.title = `${source.name} – limber`;
-  const player = new WorkerPlayer({ workerUrl, module: moduleBytes });
+  const player = new WorkerPlayer({ workerUrl, workerType: 'classic', module: moduleBytes });
   state.player = player;
   const listen = (name, act) => player.addEventListener(name, (event) => state.player === player && act(event.detail));
   listen('info', infoArrived);
