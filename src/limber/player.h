@@ -17,6 +17,8 @@
 //   limber_cut_destroy(cut);
 //   limber_player_destroy(player);
 //
+// Link with limber_player and the C++ standard library: cc play.c $(pkg-config --cflags --libs limber-player) -lstdc++
+//
 // A player and its cuts belong to one thread at a time; different players know nothing of each other. Once all bytes
 // are there and every function has met its largest frame, nothing allocates. Nothing throws. What a stream announces is
 // allocated in proportion to the bytes that are there (docs/format.md); where the system refuses that, the program
