@@ -194,7 +194,8 @@ typedef struct limber_mesh {
                          // for, in units of the input; null where not fetched
   const uint8_t* moved;  // [vertex_count]: 1 where this frame's swaps gave the vertex another part of the surface;
                          // null where not fetched
-  const uint32_t* labels;  // [limber_info.vertex_count]: the node that stands for each vertex of the input
+  const uint32_t* labels;  // [limber_info.vertex_count]: the node that stands for each vertex of the input; it is not
+                           // among `nodes` where it is a corner of no triangle
 } limber_mesh;
 
 #define LIMBER_MESH_INIT \

@@ -162,6 +162,7 @@ export class Stage {
       approximation.setPainted(false);
     } else {
       const { data } = approximation;
+      table.fill(0.3); // of nodes that are not drawn
       if (mode !== 'none' && this.hasArrays(mode)) colorNodes(mode, data, this.info.levelSizes.length, this.errorScale, table);
       const isPlain = mode === 'none' || !this.hasArrays(mode);
       const { accent } = this.colors;
