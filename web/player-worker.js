@@ -123,8 +123,9 @@ class Session {
     for (let i = 0; i < availableFrames; ++i) {
       const first = player.frame((this.playhead + i) % availableFrames);
       if (first.isThere) continue;
+      const most = this.hasShown ? PART : 1; // until then, a frame at a time
       let size = 0;
-      for (let n = (this.playhead + i) % availableFrames; n < availableFrames && size < PART; ++n) {
+      for (let n = (this.playhead + i) % availableFrames; n < availableFrames && size < most; ++n) {
         const next = player.frame(n);
         if (next.isThere) break;
         size = next.offset + next.size - first.offset;
@@ -162,6 +163,7 @@ class Session {
       const meshes = wanted.cuts.map((options, i) => this.cut(i, options));
       const done = performance.now();
       this.wanted = null;
+      this.hasShown = true;
       const buffers = meshes.flatMap((mesh) => ARRAYS.map((name) => mesh[name]?.buffer)).filter(Boolean);
       const times = { seek: sought - start, cut: done - sought };
       this.post({ type: 'frame', id: wanted.id, frame: wanted.frame, meshes, times, bytesThere: player.info.bytesThere }, buffers);
