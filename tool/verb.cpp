@@ -45,6 +45,11 @@ constexpr Verb kVerbs[] = {
      "limber play horse.limber --vertices 2000 --repeat 5 --json\n"
      "limber play horse.limber --repeat 40 -o update.svg\n",
      declare_play},
+    {"view", "Look at a stream in the browser",
+     "limber view horse.limber\n"
+     "limber view horse.limber --no-open --port 8080\n"
+     "limber view horse.limber --export horse.html\n",
+     declare_view},
     {"render", "Take pictures of a mesh or clip",
      "limber render 'horse/%04d.obj' --frame 12 -o horse12.png\n"
      "limber render cloth.pc2 --flat --view 60,20 --size 1920x1080 -o 'cloth/%04d.png'\n"

@@ -39,5 +39,6 @@ Action declare_play(CLI::App& app);
 Action declare_render(CLI::App& app);
 Action declare_sample(CLI::App& app);
 Action declare_simplify(CLI::App& app);
+Action declare_view(CLI::App& app);
 
 }  // namespace limber::tool

@@ -29,7 +29,17 @@ constexpr Tables make_tables() {
   return tables;
 }
 
+#if defined(__wasm__)
+// Made when the module starts: tables do not compress, and would be a quarter of what a browser has to load.
+struct TablesMadeAtTheStart {
+  TablesMadeAtTheStart() : tables(make_tables()) {}
+  Tables tables;
+};
+inline const TablesMadeAtTheStart kMade;
+inline const Tables& kTables = kMade.tables;
+#else
 inline constexpr Tables kTables = make_tables();
+#endif
 
 }  // namespace crc32c_detail
 

@@ -20,6 +20,8 @@ struct Section {
 struct FrameEntry {
   std::uint64_t offset;  // of the frame's chunk
   std::uint32_t key;     // the key frame at or before
+
+  friend bool operator==(const FrameEntry&, const FrameEntry&) = default;
 };
 
 Error bad(std::uint64_t offset, std::string what) {
@@ -144,8 +146,7 @@ Result<bool> Decoder::Stream::scan_chunk() {
   if (chunk->kind == kIndexChunk) {
     const auto entries = read_index(scanned);
     if (!entries) return entries.error();
-    const auto same = [](const FrameEntry& a, const FrameEntry& b) { return a.offset == b.offset && a.key == b.key; };
-    if (!std::equal(entries->begin(), entries->end(), frames.begin(), frames.end(), same))
+    if (!std::equal(entries->begin(), entries->end(), frames.begin(), frames.end()))
       return bad(scanned, "the index names other frames than there are");
     index_at = scanned;
   } else if (key || chunk->kind == kStepChunk) {
@@ -177,6 +178,8 @@ Result<bool> Decoder::Stream::use_index() {
   if (offset + kChunkHeaderSize + chunk->length + kEndMarkSize != bytes.size()) return false;
   auto entries = read_index(offset);
   if (!entries) return entries.error();
+  if (entries->size() < frames.size() || !std::equal(frames.begin(), frames.end(), entries->begin()))
+    return bad(offset, "the index names other frames than there are");
   frames = std::move(*entries);
   index_at = offset;
   scanned = offset + kChunkHeaderSize + chunk->length;
@@ -364,6 +367,17 @@ Result<void> Decoder::extend(std::span<const std::byte> bytes) {
   return scanned;
 }
 
+Result<bool> Decoder::use_index(std::span<const std::byte> bytes) {
+  assert(stream_ && bytes.size() >= stream_->bytes.size());
+  Stream& stream = *stream_;
+  const auto old_bytes = stream.bytes;
+  stream.bytes = bytes;
+  if (stream.index_at) return true;
+  auto used = stream.use_index();
+  if (!used || !*used) stream.bytes = old_bytes;
+  return used;
+}
+
 const StreamHeader& Decoder::header() const { return assert(stream_), stream_->header; }
 
 const Mesh& Decoder::mesh() const { return assert(stream_), stream_->mesh; }
@@ -398,6 +412,13 @@ ChunkSizes Decoder::sizes(std::uint32_t frame) const {
   sizes.errors = fields.u32();
   sizes.overhead = kChunkHeaderSize + kSectionTableSize;
   return sizes;
+}
+
+Extent Decoder::extent(std::uint32_t frame) const {
+  assert(frame < available_frames());
+  const Stream& stream = *stream_;
+  if (frame + 1 < stream.frames.size()) return {stream.frames[frame].offset, stream.frames[frame + 1].offset};
+  return {stream.frames[frame].offset, stream.index_at.value_or(stream.scanned)};
 }
 
 void Decoder::prepare(FrameState& state) const {

@@ -17,6 +17,13 @@
 
 namespace limber {
 
+// Bytes of a stream: from `begin` up to, without, `end`.
+struct Extent {
+  std::uint64_t begin = 0, end = 0;
+
+  friend bool operator==(const Extent&, const Extent&) = default;
+};
+
 // Holds what is needed to decode the frame after the one decoded last: one frame of memory.
 // An Error says in `where` the frame and the byte of the stream at which a rule is broken.
 class Decoder {
@@ -36,6 +43,12 @@ class Decoder {
   // Precondition: open() succeeded. After an error the decoder is as it was before the call, on the old bytes.
   Result<void> extend(std::span<const std::byte> bytes);
 
+  // For random access where not all bytes are there yet. `bytes` has the length of the whole stream; of its content
+  // only what earlier calls were given and the end, from the index chunk on, need be there. Gives false, and changes
+  // nothing, where no index stands at the end; else all frames are available, but only those whose extent() is there
+  // may be decoded. Precondition: open() succeeded. Error: the index is damaged, or not that of this stream.
+  Result<bool> use_index(std::span<const std::byte> bytes);
+
   // Precondition of all that follow: open() succeeded.
 
   const StreamHeader& header() const;
@@ -47,10 +60,11 @@ class Decoder {
   // The number of frames of the whole stream: from the header, or from the index once that has arrived.
   std::optional<std::uint32_t> frame_count() const;
 
-  // Precondition of the next three: frame < available_frames().
+  // Precondition of the next four: frame < available_frames().
   bool is_key(std::uint32_t frame) const;
   std::uint32_t key_at_or_before(std::uint32_t frame) const;  // frame 0 is always a key
   ChunkSizes sizes(std::uint32_t frame) const;
+  Extent extent(std::uint32_t frame) const;  // of its chunk, and of optional chunks after it
 
   // Gives all arrays of `state` their final sizes and capacities; state.frame becomes kNone.
   void prepare(FrameState& state) const;

@@ -19,12 +19,15 @@ Result<void> Player::extend(std::span<const std::byte> bytes) {
   return seek(0);
 }
 
-Result<void> Player::seek(std::uint32_t t) {
+std::uint32_t Player::first_decoded(std::uint32_t t) const {
   assert(t < available_frames());
-  if (state_.frame == t) return {};
   const std::uint32_t key = decoder_.key_at_or_before(t);
-  const bool onwards = state_.frame != kNone && key <= state_.frame && state_.frame < t;
-  for (std::uint32_t frame = onwards ? state_.frame + 1 : key; frame <= t; ++frame) {
+  const bool onwards = state_.frame != kNone && key <= state_.frame && state_.frame <= t;
+  return onwards ? state_.frame + 1 : key;
+}
+
+Result<void> Player::seek(std::uint32_t t) {
+  for (std::uint32_t frame = first_decoded(t); frame <= t; ++frame) {
     if (Result<void> decoded = decoder_.decode(frame, state_); !decoded) {
       state_.frame = kNone;
       return decoded;

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+// limber's player for C, and for all that can call C: WebAssembly exports these functions.
+//
+//   limber_player* player = limber_player_create();
+//   limber_cut* cut = limber_cut_create(player);
+//   while (bytes arrive) {
+//     if (limber_append(player, bytes, size) > LIMBER_NEEDS_MORE) stop(limber_error(player));
+//     while (limber_step(player) == LIMBER_OK) {
+//       limber_cut_options options = LIMBER_CUT_DEFAULTS;    // by level, or:
+//       options.by = LIMBER_BY_VERTICES;
+//       options.budget = 800;
+//       limber_mesh mesh = LIMBER_MESH_INIT;
+//       limber_cut_update(cut, &options, &mesh);
+//       draw(mesh.positions, mesh.indices);
+//     }
+//   }
+//   limber_cut_destroy(cut);
+//   limber_player_destroy(player);
+//
+// Link with limber_player and the C++ standard library: cc play.c $(pkg-config --cflags --libs limber-player) -lstdc++
+//
+// A player and its cuts belong to one thread at a time; different players know nothing of each other. Once all bytes
+// are there and every function has met its largest frame, nothing allocates. Nothing throws. What a stream announces is
+// allocated in proportion to the bytes that are there (docs/format.md); where the system refuses that, the program
+// ends.
+//
+// Structures begin with `struct_size`, which the _INIT and _DEFAULTS macros set. Later versions add members at the end:
+// a program compiled against an older header goes on as before.
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+// "No such frame", "not known".
+#define LIMBER_NONE 0xffffffffu
+
+typedef enum limber_status {
+  LIMBER_OK = 0,
+  LIMBER_NEEDS_MORE = 1,   // not an error: bytes are not there yet, see limber_missing()
+  LIMBER_BAD_STREAM = 2,   // the bytes break a rule of the format
+  LIMBER_UNSUPPORTED = 3,  // well formed, but for a newer limber
+  LIMBER_NO_MEMORY = 4,    // for the bytes of the stream
+  LIMBER_WRONG_CALL = 5    // arguments, or an order of calls, that the contract rules out; nothing was done
+} limber_status;
+
+typedef struct limber_player limber_player;
+typedef struct limber_cut limber_cut;
+
+limber_player* limber_player_create(void);
+
+// Null is allowed. The player's cuts are destroyed before it.
+void limber_player_destroy(limber_player* player);
+
+// One line about the last call with this player, or a cut of it, that did not give LIMBER_OK: the place in the stream
+// and the rule broken. Valid until the next call.
+const char* limber_error(const limber_player* player);
+
+// ---- Bytes. Either in their order, as they arrive, with limber_append(). Or, of a stream whose size is known, from
+// any place in any order: limber_missing() says which are needed next, and limber_supply() takes them. Both may be
+// mixed. Bytes are copied; those that are there already are skipped.
+//
+// All three give LIMBER_NEEDS_MORE until header and mesh are there, and LIMBER_OK from then on. As soon as frame 0 is
+// there, and no other is shown, it is. An error is final for the bytes: no more are taken, and later calls give it
+// again; frames that were available stay so.
+
+limber_status limber_append(limber_player* player, const void* bytes, size_t size);
+
+// How long the whole stream is, in bytes, where that is known: at any time, once. All of it is reserved.
+limber_status limber_set_size(limber_player* player, uint64_t size);
+
+// Precondition: limber_set_size() was called, and offset + size is within it.
+limber_status limber_supply(limber_player* player, uint64_t offset, const void* bytes, size_t size);
+
+typedef struct limber_range {
+  uint64_t offset;
+  uint64_t size;  // 0: all that there is from offset on
+} limber_range;
+
+// LIMBER_OK where all is there to seek `frame`; LIMBER_NEEDS_MORE with the first bytes that are not: of the header and
+// the mesh; then, where the size of the stream is known, of the index at its end; then of the frames from the key at or
+// before `frame` on, or from the frame shown. Call it again when these have come. With LIMBER_NONE only header, mesh
+// and index are asked for. LIMBER_BAD_STREAM where the stream has a known size and ends too early.
+limber_status limber_missing(const limber_player* player, uint32_t frame, limber_range* range);
+
+// ---- What the stream says about itself. LIMBER_NEEDS_MORE until header and mesh are there.
+
+#define LIMBER_MOST_LEVELS 32
+
+typedef struct limber_info {
+  uint32_t struct_size;
+  uint32_t frame_count;         // LIMBER_NONE where it is not known yet
+  uint32_t available_frames;    // 0 to this - 1 are known; with an index, their bytes need not be there
+  uint32_t first_frame_number;  // that the source gave to frame 0
+  double frames_per_second;
+  double tolerance;       // no vertex is further from the original, in units of the input; 0: lossless
+  double diagonal;        // of the bounding box of frame 0, in units of the input
+  uint64_t size;          // of the stream; 0 where it is not known
+  uint64_t bytes_there;   // of it
+  uint32_t has_index;     // 1: all frames are known
+  uint32_t key_interval;  // a key comes at least every so many frames
+  uint32_t vertex_count;  // of the finest level
+  uint32_t triangle_count;
+  uint32_t node_count;  // of all levels
+  uint32_t level_count;
+  uint32_t level_size[LIMBER_MOST_LEVELS];  // nodes, finest level first; 0 above the top
+} limber_info;
+
+#define LIMBER_INFO_INIT                                                 \
+  {                                                                      \
+    sizeof(limber_info), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, { 0 } \
+  }
+
+limber_status limber_get_info(const limber_player* player, limber_info* info);
+
+typedef struct limber_frame {
+  uint32_t struct_size;
+  uint32_t key;       // the frame at or before this one that can be decoded alone: where seeking starts
+  uint32_t is_there;  // 1: all bytes of this frame's chunk are
+  uint32_t unused;
+  uint64_t offset;  // of the frame's chunk in the stream
+  uint64_t size;    // of it, in bytes
+} limber_frame;
+
+#define LIMBER_FRAME_INIT \
+  { sizeof(limber_frame), 0, 0, 0, 0, 0 }
+
+// LIMBER_NEEDS_MORE where the frame is not available yet.
+limber_status limber_get_frame(const limber_player* player, uint32_t frame, limber_frame* info);
+
+// ---- Playing.
+
+// The frame shown; LIMBER_NONE before the first is there, and after a damaged one.
+uint32_t limber_shown_frame(const limber_player* player);
+
+// Shows a frame: decodes from the key at or before it, or onwards from the frame shown where that is nearer.
+// LIMBER_NEEDS_MORE, and all stays as it is, where bytes for that are not there. LIMBER_BAD_STREAM: no frame is shown;
+// any other seek may follow. LIMBER_WRONG_CALL: the stream has no such frame.
+limber_status limber_seek(limber_player* player, uint32_t frame);
+
+// Shows the frame after the one shown; frame 0 where none is. The first limber_step() after limber_player_create()
+// gives frame 0, though the bytes' arrival shows it already: so a loop over limber_step() meets every frame.
+// LIMBER_NEEDS_MORE also after the last frame.
+limber_status limber_step(limber_player* player);
+
+// ---- Levels of detail. A player can have several cuts, each of its own level of detail.
+
+// Which member of limber_cut_options chooses.
+enum {
+  LIMBER_BY_LEVEL = 0,      // the nodes of `level`
+  LIMBER_BY_VERTICES = 1,   // at most `budget` vertices, and the least error that they allow
+  LIMBER_BY_TRIANGLES = 2,  // at most `budget` triangles, and the least error that they allow
+  LIMBER_BY_ERROR = 3       // the coarsest nodes within `error_bound`
+};
+
+// What to fetch besides positions, normals, indices and nodes; added up.
+enum {
+  LIMBER_FETCH_LEVELS = 1,
+  LIMBER_FETCH_ERRORS = 2,  // takes a pass over all triangles of the finest level
+  LIMBER_FETCH_MOVED = 4
+};
+
+typedef struct limber_cut_options {
+  uint32_t struct_size;
+  uint32_t by;
+  uint32_t level;     // 0 is the finest; clamped to the top
+  uint32_t budget;    // the top level is the coarsest there is, whatever the budget
+  float error_bound;  // root mean square distance, in percent of the frame's bounding box diagonal, >= 0
+  float hysteresis;   // >= 1: how many times better a change must be than what the frame before had; 1: no memory
+  uint32_t fetch;     // LIMBER_FETCH_...
+} limber_cut_options;
+
+#define LIMBER_CUT_DEFAULTS \
+  { sizeof(limber_cut_options), LIMBER_BY_LEVEL, 0, 0, 1.0f, 1.25f, 0 }
+
+// Arrays belong to the cut and are valid until its next update. Vertices are in rising order of their nodes.
+typedef struct limber_mesh {
+  uint32_t struct_size;
+  uint32_t frame;
+  uint32_t vertex_count;
+  uint32_t triangle_count;
+  uint32_t swap_count;  // nodes, of all levels, that changed their parents in this frame; 0 at a key
+  float rms_error;  // root mean square distance to the surface, in units of the input; 0 without LIMBER_FETCH_ERRORS
+  const float* positions;   // [3 x vertex_count], in units of the input
+  const float* normals;     // [3 x vertex_count], of length 1
+  const uint32_t* indices;  // [3 x triangle_count], counter-clockwise seen from outside
+  const uint32_t* nodes;    // [vertex_count]: the same number is the same vertex from frame to frame; below
+                            // limber_info.vertex_count it is a vertex of the input
+  const uint8_t* levels;    // [vertex_count]: 0 is the finest; null where not fetched
+  const float* errors;   // [vertex_count]: root mean square distance to the part of the surface that the vertex stands
+                         // for, in units of the input; null where not fetched
+  const uint8_t* moved;  // [vertex_count]: 1 where this frame's swaps gave the vertex another part of the surface;
+                         // null where not fetched
+  const uint32_t* labels;  // [limber_info.vertex_count]: the node that stands for each vertex of the input; it is not
+                           // among `nodes` where it is a corner of no triangle
+} limber_mesh;
+
+#define LIMBER_MESH_INIT \
+  { sizeof(limber_mesh), 0, 0, 0, 0, 0, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL }
+
+limber_cut* limber_cut_create(limber_player* player);
+void limber_cut_destroy(limber_cut* cut);  // null is allowed
+
+// Cuts the frame shown. LIMBER_NEEDS_MORE where none is shown.
+limber_status limber_cut_update(limber_cut* cut, const limber_cut_options* options, limber_mesh* mesh);
+
+#ifdef __cplusplus
+}
+#endif

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+
+/** Where player.wasm comes from; beside player.js by default. */
+export type ModuleSource = string | URL | ArrayBuffer | ArrayBufferView | WebAssembly.Module;
+
+/** Compiles the module, once for each source. Player.create() calls it; call it earlier to load it in advance. */
+export function loadModule(source?: ModuleSource): Promise<WebAssembly.Module>;
+
+export type LimberErrorCode =
+  | 'bad-stream' | 'unsupported' | 'no-memory' | 'wrong-call' | 'no-module' | 'network';
+
+/** One line: the place in the stream and the rule broken. */
+export class LimberError extends Error {
+  readonly code: LimberErrorCode;
+  constructor(code: LimberErrorCode, message: string);
+}
+
+export interface StreamInfo {
+  /** null where it is not known yet */
+  frameCount: number | null;
+  /** frames 0 to this - 1 are known; with an index, their bytes need not be there */
+  availableFrames: number;
+  /** that the source gave to frame 0 */
+  firstFrameNumber: number;
+  framesPerSecond: number;
+  /** no vertex is further from the original, in units of the input; 0: lossless */
+  tolerance: number;
+  /** of the bounding box of frame 0, in units of the input */
+  diagonal: number;
+  /** bytes; null where it is not known */
+  size: number | null;
+  bytesThere: number;
+  hasIndex: boolean;
+  keyInterval: number;
+  /** of the finest level */
+  vertexCount: number;
+  triangleCount: number;
+  /** of all levels */
+  nodeCount: number;
+  /** finest level first */
+  levelSizes: number[];
+}
+
+export interface FrameInfo {
+  /** the frame at or before this one where seeking starts */
+  key: number;
+  isThere: boolean;
+  /** of the frame's chunk in the stream, in bytes */
+  offset: number;
+  size: number;
+}
+
+export interface CutOptions {
+  /** Which of the members below chooses; 'level' by default. */
+  by?: 'level' | 'vertices' | 'triangles' | 'error';
+  /** 0 is the finest; clamped to the top */
+  level?: number;
+  /** at most so many vertices or triangles */
+  budget?: number;
+  /** root mean square distance in percent of the frame's bounding box diagonal */
+  errorBound?: number;
+  /** at least 1: how many times better a change must be than what the frame before had */
+  hysteresis?: number;
+  /** what to fetch besides positions, normals, indices and nodes */
+  fetch?: { levels?: boolean; errors?: boolean; moved?: boolean; labels?: boolean };
+}
+
+/** The arrays of Cut.update() lie in the module's memory: use or copy them before the next call on the player. */
+export interface MeshData {
+  frame: number;
+  vertexCount: number;
+  triangleCount: number;
+  /** nodes, of all levels, that changed their parents in this frame; 0 at a key */
+  swapCount: number;
+  /** root mean square distance to the surface, in units of the input; 0 where errors are not fetched */
+  rmsError: number;
+  /** [3 x vertexCount] */
+  positions: Float32Array;
+  /** [3 x vertexCount], of length 1 */
+  normals: Float32Array;
+  /** [3 x triangleCount], counter-clockwise seen from outside */
+  indices: Uint32Array;
+  /** [vertexCount]: the same number is the same vertex from frame to frame */
+  nodes: Uint32Array;
+  /** [vertexCount]: 0 is the finest */
+  levels: Uint8Array | null;
+  /** [vertexCount]: distance to the part of the surface that the vertex stands for, in units of the input */
+  errors: Float32Array | null;
+  /** [vertexCount]: 1 where this frame's swaps gave the vertex another part of the surface */
+  moved: Uint8Array | null;
+  /** [StreamInfo.vertexCount]: the node that stands for each vertex of the input */
+  labels: Uint32Array | null;
+}
+
+/** limber/player.h; errors are thrown as LimberError. */
+export class Player {
+  static create(source?: ModuleSource): Promise<Player>;
+  destroy(): void;
+
+  /** Bytes in their order, as they arrive. True once header and mesh are there. */
+  append(bytes: ArrayBuffer | ArrayBufferView): boolean;
+  /** How long the whole stream is. */
+  setSize(size: number): boolean;
+  /** Bytes from any place of a stream whose size is known. */
+  supply(offset: number, bytes: ArrayBuffer | ArrayBufferView): boolean;
+  /** The first bytes that are missing to show a frame (by default: to know all frames); null where none are. size 0:
+   * all from there on. */
+  missing(frame?: number): { offset: number; size: number } | null;
+
+  /** null until header and mesh are there */
+  readonly info: StreamInfo | null;
+  /** null where the frame is not available yet */
+  frame(number: number): FrameInfo | null;
+  /** null before the first is there */
+  readonly shownFrame: number | null;
+  /** False, and nothing changes, where bytes for that are missing. */
+  seek(frame: number): boolean;
+  /** False where the next frame is not there, or there is none. */
+  step(): boolean;
+  createCut(): Cut;
+}
+
+export class Cut {
+  /** Cuts the frame shown; null where none is. */
+  update(options?: CutOptions): MeshData | null;
+  destroy(): void;
+}

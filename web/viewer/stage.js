@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: Apache-2.0
+// The picture: the approximation and, where compared, the original, under one camera.
+import {
+  AmbientLight, BufferAttribute, BufferGeometry, Color, DirectionalLight, Group, HemisphereLight, Mesh,
+  MeshBasicMaterial, MeshStandardMaterial, PerspectiveCamera, Scene, Vector3, WebGLRenderer,
+} from 'three';
+import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
+import { fillGeometry } from '../limber-mesh.js';
+import { colorNodes } from './colors.js';
+
+const FLASH_MILLISECONDS = 420;
+
+// A surface and its wireframe, which share a geometry.
+class Shape {
+  constructor() {
+    this.geometry = new BufferGeometry();
+    this.material = new MeshStandardMaterial({ roughness: 0.72, metalness: 0, side: 2, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
+    this.wire = new MeshBasicMaterial({ wireframe: true, transparent: true, opacity: 0.55 });
+    this.surface = new Mesh(this.geometry, this.material);
+    this.edges = new Mesh(this.geometry, this.wire);
+    this.group = new Group().add(this.surface, this.edges);
+    for (const mesh of [this.surface, this.edges]) mesh.frustumCulled = false;
+    this.data = null;
+  }
+
+  fill(data) {
+    this.data = data;
+    fillGeometry(this.geometry, data);
+  }
+
+  // `colorOf(v, array, at)` writes a colour.
+  paint(colorOf) {
+    const room = this.geometry.getAttribute('position').array.length;
+    let attribute = this.geometry.getAttribute('color');
+    if (!attribute || attribute.array.length < room) {
+      attribute = new BufferAttribute(new Float32Array(room), 3);
+      this.geometry.setAttribute('color', attribute);
+    }
+    for (let v = 0; v < this.data.vertexCount; ++v) colorOf(v, attribute.array, 3 * v);
+    attribute.clearUpdateRanges();
+    attribute.addUpdateRange(0, 3 * this.data.vertexCount);
+    attribute.needsUpdate = true;
+    this.setPainted(true);
+  }
+
+  setPainted(isPainted) {
+    if (this.material.vertexColors === isPainted) return;
+    this.material.vertexColors = isPainted;
+    this.material.needsUpdate = true;
+  }
+}
+
+export class Stage {
+  constructor(canvas, { onCamera = () => {} } = {}) {
+    this.canvas = canvas;
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: false });
+    this.renderer.setScissorTest(true);
+    this.scene = new Scene();
+    this.camera = new PerspectiveCamera(32, 1, 0.01, 100);
+    const key = new DirectionalLight(0xfff2e2, 2.9);
+    key.position.set(-1.5, 1.9, 0.7);
+    const rim = new DirectionalLight(0xbfd6ff, 1.1);
+    rim.position.set(1.6, 0.4, -1.2);
+    this.camera.add(key, key.target, rim, rim.target);
+    for (const light of [key, rim]) light.target.position.set(0, 0, -1);
+    this.scene.add(this.camera, new HemisphereLight(0xdfe8f4, 0x38302a, 0.75), new AmbientLight(0xffffff, 0.12));
+    this.approximation = new Shape();
+    this.original = new Shape();
+    this.scene.add(this.approximation.group, this.original.group);
+    this.look = { wireframe: false, flat: false, colors: 'none', flash: false };
+    this.compare = 'off';
+    this.split = 0.5;
+    this.up = 'y';
+    this.colors = { clay: new Color('#b4b8bd'), wire: new Color('#000'), accent: new Color('#e58a4e') };
+    this.isDirty = true;
+    this.onCamera = onCamera;
+    this.sphere = null;
+    this.startControls();
+    new ResizeObserver(() => this.resize()).observe(canvas);
+    this.resize();
+  }
+
+  startControls() {
+    const target = this.controls?.target;
+    this.controls?.dispose();
+    this.controls = new OrbitControls(this.camera, this.canvas);
+    this.controls.enableDamping = true;
+    this.controls.dampingFactor = 0.16;
+    this.controls.zoomToCursor = this.compare !== 'side'; // of two pictures the cursor is in one
+    if (target) this.controls.target.copy(target);
+    this.controls.addEventListener('change', () => {
+      this.isDirty = true;
+      this.onCamera();
+    });
+  }
+
+  resize() {
+    const { clientWidth, clientHeight } = this.canvas;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    this.renderer.setPixelRatio(Math.min(globalThis.devicePixelRatio || 1, 2));
+    this.renderer.setSize(clientWidth, clientHeight, false);
+    this.isDirty = true;
+    this.onCamera();
+  }
+
+  setTheme(colors) {
+    for (const [name, value] of Object.entries(colors)) this.colors[name].set(value);
+    this.applyLook();
+  }
+
+  setLook(look) {
+    Object.assign(this.look, look);
+    this.applyLook();
+  }
+
+  applyLook() {
+    for (const shape of [this.approximation, this.original]) {
+      shape.material.flatShading = this.look.flat;
+      shape.material.needsUpdate = true;
+      shape.edges.visible = this.look.wireframe;
+      shape.wire.color.copy(this.colors.wire);
+    }
+    this.repaint();
+  }
+
+  // [nodeCount] arrays for a new stream.
+  setStream(info, keepsCamera = false) {
+    this.info = info;
+    this.table = new Float32Array(3 * info.nodeCount);
+    this.flashedAt = new Float64Array(info.nodeCount).fill(-1e9);
+    this.errorScale = 0;
+    this.approximation.data = null;
+    this.original.data = null;
+    if (!keepsCamera) this.sphere = null;
+  }
+
+  setMeshes(approximation, original, labels) {
+    this.approximation.fill(approximation);
+    if (original) this.original.fill(original);
+    else this.original.data = null;
+    this.labels = labels;
+    if (this.look.flash && approximation.moved) {
+      const now = performance.now();
+      for (let v = 0; v < approximation.vertexCount; ++v)
+        if (approximation.moved[v]) this.flashedAt[approximation.nodes[v]] = now;
+      this.isFlashing = true;
+    }
+    this.repaint();
+    if (!this.sphere) this.fit(false);
+  }
+
+  repaint() {
+    this.isDirty = true;
+    const { approximation, original, look, table } = this;
+    if (!approximation.data) return;
+    const { clay } = this.colors;
+    const mode = look.colors;
+    const now = performance.now();
+    const isFlashing = look.flash && this.isFlashing;
+    for (const shape of [approximation, original]) shape.material.color.copy(mode === 'none' && !isFlashing ? clay : new Color('#fff'));
+    if (mode === 'none' && !isFlashing) {
+      approximation.setPainted(false);
+    } else {
+      const { data } = approximation;
+      table.fill(0.3); // of nodes that are not drawn
+      if (mode !== 'none' && this.hasArrays(mode)) colorNodes(mode, data, this.info.levelSizes.length, this.errorScale, table);
+      const isPlain = mode === 'none' || !this.hasArrays(mode);
+      const { accent } = this.colors;
+      let lively = false;
+      approximation.paint((v, array, at) => {
+        const node = data.nodes[v];
+        const from = 3 * node;
+        const age = isFlashing ? (now - this.flashedAt[node]) / FLASH_MILLISECONDS : 1;
+        const heat = age < 1 ? (1 - age) * (1 - age) : 0;
+        if (heat > 0) lively = true;
+        const r = isPlain ? clay.r : table[from], g = isPlain ? clay.g : table[from + 1], b = isPlain ? clay.b : table[from + 2];
+        array[at] = r + (accent.r - r) * heat;
+        array[at + 1] = g + (accent.g - g) * heat;
+        array[at + 2] = b + (accent.b - b) * heat;
+      });
+      this.isFlashing = lively;
+    }
+    if (!original.data) return;
+    original.material.color.copy(mode === 'none' ? clay : new Color('#fff'));
+    if (mode === 'none' || !this.labels || !this.hasArrays(mode)) {
+      original.material.color.copy(clay);
+      original.setPainted(false);
+    } else {
+      original.paint((v, array, at) => {
+        const from = 3 * this.labels[original.data.nodes[v]];
+        array[at] = table[from];
+        array[at + 1] = table[from + 1];
+        array[at + 2] = table[from + 2];
+      });
+    }
+  }
+
+  hasArrays(mode) {
+    const { data } = this.approximation;
+    return mode === 'clusters' || (mode === 'levels' && data.levels) || (mode === 'errors' && data.errors);
+  }
+
+  // A sphere around what is shown, from the side that shows the most of it.
+  fit(isAnimated = true) {
+    const { data } = this.original.data ? this.original : this.approximation;
+    if (!data || data.vertexCount === 0) return;
+    const low = new Vector3(Infinity, Infinity, Infinity);
+    const high = new Vector3(-Infinity, -Infinity, -Infinity);
+    const point = new Vector3();
+    for (let v = 0; v < data.vertexCount; ++v) {
+      point.fromArray(data.positions, 3 * v);
+      low.min(point);
+      high.max(point);
+    }
+    const size = high.clone().sub(low);
+    const center = low.clone().add(high).multiplyScalar(0.5);
+    const radius = Math.max(size.length() / 2, 1e-9);
+    const isFirst = !this.sphere;
+    this.sphere = { center, radius };
+    const direction = this.camera.position.clone().sub(this.controls.target).normalize();
+    if (isFirst || direction.lengthSq() < 0.5) {
+      const y = this.up === 'y';
+      const depth = y ? size.z : size.y;
+      const frontal = size.x >= depth;
+      direction.set(frontal ? 0.5 : 0.85, 0.32, frontal ? 0.85 : 0.5).normalize();
+      if (!y) direction.set(direction.x, -direction.z, direction.y);
+    }
+    const aspect = this.aspect();
+    const half = (this.camera.fov * Math.PI) / 360;
+    const narrow = Math.min(half, Math.atan(Math.tan(half) * aspect));
+    const distance = (radius / Math.sin(narrow)) * 0.92;
+    const to = { target: center, position: center.clone().addScaledVector(direction, distance) };
+    if (isAnimated && !isFirst) this.flight = { from: { target: this.controls.target.clone(), position: this.camera.position.clone() }, to, start: performance.now() };
+    else this.place(to);
+  }
+
+  place({ target, position }) {
+    this.controls.target.copy(target);
+    this.camera.position.copy(position);
+    this.controls.update();
+    this.isDirty = true;
+    this.onCamera();
+  }
+
+  fly(now) {
+    if (!this.flight) return;
+    const t = Math.min(1, (now - this.flight.start) / 260);
+    const eased = 1 - (1 - t) ** 3;
+    const { from, to } = this.flight;
+    this.place({ target: from.target.clone().lerp(to.target, eased), position: from.position.clone().lerp(to.position, eased) });
+    if (t === 1) this.flight = null;
+  }
+
+  setUp(axis) {
+    this.up = axis;
+    this.camera.up.set(0, axis === 'y' ? 1 : 0, axis === 'z' ? 1 : 0);
+    this.startControls();
+    this.sphere = null;
+    this.fit(false);
+  }
+
+  setCompare(compare) {
+    this.compare = compare;
+    this.controls.zoomToCursor = compare !== 'side';
+    this.isDirty = true;
+  }
+
+  aspect() {
+    const { clientWidth: w, clientHeight: h } = this.canvas;
+    return (this.compare === 'side' ? w / 2 : w) / Math.max(1, h);
+  }
+
+  // Units of the input that a pixel covers at the middle of what is looked at.
+  unitsPerPixel() {
+    const distance = this.camera.position.distanceTo(this.controls.target);
+    return (2 * distance * Math.tan((this.camera.fov * Math.PI) / 360)) / Math.max(1, this.canvas.clientHeight);
+  }
+
+  // Draws where anything has changed. Gives whether it did.
+  draw(now) {
+    this.fly(now);
+    this.controls.update();
+    if (this.isFlashing) this.repaint();
+    if (!this.isDirty) return false;
+    this.isDirty = false;
+    const { renderer, camera, canvas, compare } = this;
+    const w = canvas.clientWidth;
+    const h = canvas.clientHeight;
+    const distance = camera.position.distanceTo(this.controls.target);
+    const radius = this.sphere?.radius ?? 1;
+    camera.near = Math.max(distance - 6 * radius, distance / 200);
+    camera.far = distance + 8 * radius;
+    camera.aspect = this.aspect();
+    camera.updateProjectionMatrix();
+    const show = (shape, viewport, scissor) => {
+      this.approximation.group.visible = shape === this.approximation;
+      this.original.group.visible = shape === this.original;
+      renderer.setViewport(...viewport);
+      renderer.setScissor(...scissor);
+      renderer.render(this.scene, camera);
+    };
+    const full = [0, 0, w, h];
+    if (compare === 'off' || !this.original.data) {
+      show(this.approximation, full, full);
+    } else if (compare === 'side') {
+      const left = Math.floor(w / 2);
+      show(this.original, [0, 0, left, h], [0, 0, left, h]);
+      show(this.approximation, [left, 0, w - left, h], [left, 0, w - left, h]);
+    } else {
+      const left = Math.round(w * this.split);
+      show(this.original, full, [0, 0, left, h]);
+      show(this.approximation, full, [left, 0, w - left, h]);
+    }
+    return true;
+  }
+}
