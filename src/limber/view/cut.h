@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,12 @@
 #include "limber/hierarchy/hierarchy.h"
 #include "limber/stream/frame_state.h"
 #include "limber/view/budget.h"
+#include "limber/view/drawn_witnesses.h"
+#include "limber/view/node_errors.h"
+#include "limber/view/seen_weights.h"
+#include "limber/view/stars.h"
+#include "limber/view/view.h"
+#include "limber/view/witnesses.h"
 
 namespace limber {
 
@@ -31,7 +38,9 @@ struct CutOptions {
   CutBy by = CutBy::kLevel;
   Index level = 0;           // kLevel: 0 is the finest; clamped to the top
   Index budget = 0;          // kVertices, kTriangles
-  float error_bound = 1;     // kError: percent of the bounding box diagonal of the frame, >= 0
+  float error_bound = 1;     // kError: percent of the bounding box diagonal of the frame, with a view in its unit, >= 0
+  bool hold = true;          // kError, with a view: see below; otherwise its errors are estimates
+  float enough = 0;          // kVertices, kTriangles, with a view: what no budget is spent on going below, in its unit
   float hysteresis = 1.25f;  // >= 1: how many times better a change must be than what the frame before had
 };
 
@@ -62,6 +71,13 @@ class Cut {
   // Precondition: the mesh and the level sizes that the cut was made with.
   void update(const Mesh& mesh, const FrameState& state);
 
+  // The same as it is looked at: the class comment says what changes. The first call allocates.
+  void update(const Mesh& mesh, const FrameState& state, const View& view);
+
+  // After an update with a view: a bound of the error of all finest vertices, in the unit of the view. At most the bound
+  // of kError.
+  float seen_error() const;
+
   // [node_count]: the active node on the path from a node to the top, the node itself included; kNone for a node
   // above the cut. Finest vertices (the first vertex_count) always have one.
   std::span<const Index> labels() const { return labels_; }
@@ -78,11 +94,14 @@ class Cut {
   void count_finest_children(const Hierarchy& hierarchy);
   void count_children(const Hierarchy& hierarchy);
   void find_drawn(const Hierarchy& hierarchy);
-  void price_triangles(const Mesh& mesh, const Hierarchy& hierarchy);
+  std::uint32_t price_vertices(const Hierarchy& hierarchy);
+  std::uint32_t price_triangles(const Mesh& mesh, const Hierarchy& hierarchy);
   void expand_down_to_level(const Hierarchy& hierarchy);
-  void expand_by_vertices(const FrameState& state);
-  void expand_by_triangles(const Mesh& mesh, const FrameState& state);
   void expand_by_error(const Mesh& mesh, const FrameState& state);
+  void expand_by_seen_error(float limit);
+  void hold(const Mesh& mesh, const FrameState& state, float limit);
+  bool expand_around(const Mesh& mesh, const Hierarchy& hierarchy, Index vertex);
+  void relabel_vertices(const Hierarchy& hierarchy);
   void label_nodes(const Hierarchy& hierarchy);
   void count_vertices(const Hierarchy& hierarchy);
 
@@ -106,10 +125,22 @@ class Cut {
   std::vector<Index> part_size_below_;
   std::vector<std::uint8_t> is_drawn_;  // can have a triangle while active
   std::vector<std::uint32_t> price_;
-  std::uint32_t top_triangle_count_ = 0;
 
   std::vector<double> area_;      // [node_count], for an error bound
   std::vector<Triangle> images_;  // [triangle_count_], for a triangle budget
+
+  struct Looking {  // all that a view needs
+    Looking(const Mesh& mesh, const Hierarchy& hierarchy)
+        : stars(mesh), errors(hierarchy), witnesses(mesh), drawn_witnesses(mesh, hierarchy), has_changed(mesh.vertex_count) {}
+
+    Stars stars;
+    SeenWeights weights;
+    NodeErrors errors;
+    Witnesses witnesses;
+    DrawnWitnesses drawn_witnesses;
+    std::vector<std::uint8_t> has_changed;  // [vertex_count]: scratch of hold()
+  };
+  std::optional<Looking> looking_;
 };
 
 }  // namespace limber
