@@ -35,7 +35,7 @@ Result<eval::ClipMeasure> measure_all(const Arguments& arguments, Console& conso
   auto original = open_original(arguments.original);
   if (!original) return original.error();
   auto approximation =
-      open_any_meshes(arguments.approximation, cut_options(arguments.level, false), arguments.level.blend);
+      open_any_meshes(arguments.approximation, {.cut = cut_options(arguments.level, false), .blend = arguments.level.blend});
   if (!approximation) return approximation.error();
   const std::uint32_t first_number = (*original)->first_frame_number();
   eval::ClipMeasure measure({.distance = arguments.distance, .first_frame_number = first_number});

@@ -39,9 +39,9 @@ struct CutOptions {
   Index level = 0;           // kLevel: 0 is the finest; clamped to the top
   Index budget = 0;          // kVertices, kTriangles
   float error_bound = 1;     // kError: percent of the bounding box diagonal of the frame, with a view in its unit, >= 0
+  float hysteresis = 1.25f;  // >= 1: how many times better a change must be than what the frame before had
   bool hold = true;          // kError, with a view: see below; otherwise its errors are estimates
   float enough = 0;          // kVertices, kTriangles, with a view: what no budget is spent on going below, in its unit
-  float hysteresis = 1.25f;  // >= 1: how many times better a change must be than what the frame before had
 };
 
 // Budgets. The total squared error of the active nodes is made as small as the budget allows (see budget.h). Nothing is
@@ -53,9 +53,22 @@ struct CutOptions {
 // Error bound. A node is contracted where errors[n] / sqrt(area) is within the bound: the root of the mean squared
 // distance over the area that the node stands for at this frame, a third of each finest triangle going to each corner.
 //
+// Looked at with a view (view.h) the same criteria mean something else. A budget makes the largest error that is seen as
+// small as it can: nodes are expanded from the largest estimated error down. An error bound is in the unit of the view,
+// and with `hold` it is measured, not estimated: after update(mesh, state, view)
+//
+//   every finest vertex and every middle of a finest side is within half of the bound of a triangle that is drawn,
+//   every drawn node, middle of a drawn side and centre of a drawn triangle is within half of it of the finest surface,
+//
+// where distances count as much as the view says at that place (for drawn nodes, as at the finest vertex below them that
+// counts most). The other half of the bound is for what lies between these samples; limber_screen_bench measures how
+// much of it that takes. Without `hold` all errors are estimates (node_errors.h), and an update is many times
+// faster. Where the view allows more, as outside the picture, that much more is promised. Isolated vertices are not.
+//
 // Hysteresis. Between frames a node that was expanded outranks one that was not unless the latter would gain more
 // than `hysteresis` times as much per vertex or triangle; under an error bound it stays expanded until it is within
-// bound / hysteresis. Budgets and bounds always hold. With hysteresis 1 a cut depends on its frame alone.
+// bound / hysteresis. Budgets and bounds always hold. With hysteresis 1 a cut depends on its frame alone,
+// but with a view on what was measured before, too.
 class Cut {
  public:
   // Allocates all that updates need. `hierarchy` is any frame's of the clip: level sizes do not change.
@@ -71,11 +84,11 @@ class Cut {
   // Precondition: the mesh and the level sizes that the cut was made with.
   void update(const Mesh& mesh, const FrameState& state);
 
-  // The same as it is looked at: the class comment says what changes. The first call allocates.
+  // The same as it is looked at. The first call allocates.
   void update(const Mesh& mesh, const FrameState& state, const View& view);
 
-  // After an update with a view: a bound of the error of all finest vertices, in the unit of the view. At most the bound
-  // of kError.
+  // After an update with a view: where the bound is held, a bound of what is seen (at most that asked for); otherwise
+  // a bound of the error at the finest vertices. In the unit of the view.
   float seen_error() const;
 
   // [node_count]: the active node on the path from a node to the top, the node itself included; kNone for a node
@@ -139,6 +152,7 @@ class Cut {
     Witnesses witnesses;
     DrawnWitnesses drawn_witnesses;
     std::vector<std::uint8_t> has_changed;  // [vertex_count]: scratch of hold()
+    float seen_error = 0;
   };
   std::optional<Looking> looking_;
 };

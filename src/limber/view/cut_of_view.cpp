@@ -22,6 +22,10 @@ constexpr float kHeld = 0.5f;
 
 constexpr float kLeastLimit = 1e-6f;
 
+float largest(std::span<const float> values) {
+  return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
+}
+
 }  // namespace
 
 void Cut::expand_by_seen_error(float limit) {
@@ -62,7 +66,7 @@ void Cut::relabel_vertices(const Hierarchy& hierarchy) {
 }
 
 void Cut::hold(const Mesh& mesh, const FrameState& state, float limit) {
-  auto& [stars, weights, errors, witnesses, drawn_witnesses, has_changed] = *looking_;
+  auto& [stars, weights, errors, witnesses, drawn_witnesses, has_changed, seen_error] = *looking_;
   const DrawnSurface drawn{state.positions, labels_, weights.weights()};
   witnesses.find(mesh, stars, drawn, limit);
   drawn_witnesses.begin();
@@ -84,12 +88,14 @@ void Cut::hold(const Mesh& mesh, const FrameState& state, float limit) {
     witnesses.find_again(mesh, stars, drawn, limit, has_changed);
   }
   if (has_expanded) label_nodes(state.hierarchy);
+  seen_error = std::sqrt(std::max({largest(witnesses.squared_bounds()), witnesses.largest_side_square(),
+                                   drawn_witnesses.largest_square()})) /
+               kHeld;
 }
 
 float Cut::seen_error() const {
   assert(looking_);
-  const std::span<const float> squares = looking_->witnesses.squared_bounds();
-  return squares.empty() ? 0 : std::sqrt(*std::max_element(squares.begin(), squares.end())) / kHeld;
+  return looking_->seen_error;
 }
 
 void Cut::update(const Mesh& mesh, const FrameState& state, const View& view) {
@@ -120,7 +126,12 @@ void Cut::update(const Mesh& mesh, const FrameState& state, const View& view) {
       break;
   }
   label_nodes(state.hierarchy);
-  if (holds) hold(mesh, state, limit);
+  if (holds) {
+    hold(mesh, state, limit);
+  } else {
+    looking_->witnesses.find(mesh, looking_->stars, {state.positions, labels_, looking_->weights.weights()}, limit);
+    looking_->seen_error = std::sqrt(largest(looking_->witnesses.squared_bounds()));
+  }
   count_vertices(state.hierarchy);
 }
 

@@ -2,6 +2,7 @@
 #include "limber/view/drawn_witnesses.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 
 #include "limber/view/downhill.h"
@@ -15,6 +16,8 @@ DrawnWitnesses::DrawnWitnesses(const Mesh& mesh, const Hierarchy& hierarchy)
   failing_.reserve(std::size_t{64} + mesh.vertex_count);
   list_.triangles.reserve(mesh.triangles.size());
   list_.faces.reserve(mesh.triangles.size());
+  list_.living.reserve(mesh.triangles.size());
+  list_.slots.reserve(std::bit_ceil(4 * mesh.triangles.size() + 1));
 }
 
 void DrawnWitnesses::begin() {

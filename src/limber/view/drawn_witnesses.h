@@ -28,7 +28,7 @@ class DrawnWitnesses {
   // of its centre; the sides and triangles of finest vertices alone are the surface itself. Only what was not drawn at
   // the calls since begin() is looked at. First the witness of the frame before is tried, then those downhill from a
   // vertex below. `weights`: [node_count - vertex_count], of nodes; a place between nodes has the largest of theirs.
-  // Allocates only where there have not been as many triangles drawn.
+  // Does not allocate.
   void find(const Mesh& mesh, const Stars& stars, const DrawnSurface& drawn, std::span<const float> weights,
             float limit);
 

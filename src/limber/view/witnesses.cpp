@@ -80,20 +80,22 @@ bool Witnesses::is_touched(const Side& side, std::span<const std::uint8_t> has_c
 void Witnesses::find_for_sides(const Mesh& mesh, const Stars& stars, const DrawnSurface& drawn, float limit,
                                std::span<const std::uint8_t> has_changed) {
   const float most = limit * limit;
+  if (has_changed.empty()) largest_side_square_ = 0;
   for (Side& side : sides_) {
     const auto [u, v] = std::pair(side.from, side.to);
     if (faces_[u] == faces_[v]) continue;
     if (!has_changed.empty() && !is_touched(side, has_changed)) continue;
-    if (std::max(drawn.labels[u], drawn.labels[v]) < mesh.vertex_count) continue;
     const Vec3f middle = 0.5f * (drawn.positions[u] + drawn.positions[v]);
     const float weight = std::max(drawn.weights[u], drawn.weights[v]), scale = weight * weight;
     const float enough = most / scale;
     side.fails = false;
     side.square = squared_distance_to_image(drawn, middle, side.face);
-    if (side.square <= enough) continue;
-    improve_side(mesh, stars, drawn, side, enough);
+    if (side.square > enough) improve_side(mesh, stars, drawn, side, enough);
     side.fails = side.square > enough;
-    if (!side.fails) continue;
+    if (!side.fails) {
+      largest_side_square_ = std::max(largest_side_square_, scale * side.square);
+      continue;
+    }
     for (const Index end : {u, v}) {
       if (squared_bounds_[end] <= most) failing_.push_back(end);
       squared_bounds_[end] = std::max(squared_bounds_[end], scale * side.square);

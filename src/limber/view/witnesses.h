@@ -40,6 +40,9 @@ class Witnesses {
   void find_for_sides(const Mesh& mesh, const Stars& stars, const DrawnSurface& drawn, float limit,
                       std::span<const std::uint8_t> has_changed = {});
 
+  // The largest square of a weighted distance that find_for_sides() found, failures aside, since the call for all.
+  float largest_side_square() const { return largest_side_square_; }
+
   // Vertices without a witness within the limit. Not those that are a corner of no triangle.
   std::span<const Index> failing() const { return failing_; }
 
@@ -67,6 +70,7 @@ class Witnesses {
   std::vector<float> squared_bounds_;
   std::vector<std::uint8_t> was_sought_;  // [vertex_count]: looked at by the last find_again()
   std::vector<Index> failing_;
+  float largest_side_square_ = 0;
   std::vector<Index> queue_;  // scratch
 };
 
