@@ -6,6 +6,7 @@
 
 #include "limber/clip/clip.h"
 #include "limber/stream/build_stream.h"
+#include "limber/view/cut.h"
 #include "limber/view/player.h"
 #include "limber/view/triangle_list.h"
 
@@ -41,7 +42,7 @@ TEST(ScreenError, LooksAtWhatLiesInThePictureOnly) {
 
 // A small part of what limber_screen_bench does on real clips.
 TEST(ScreenError, OfACutByPixelsIsNeverMoreThanPromisedAndMostlyNotMuchLess) {
-  auto clip = open_clip("sample:collapse?vertices=1500&frames=5");
+  auto clip = open_clip("sample:collapse?vertices=1500&frames=5", {});
   ASSERT_TRUE(clip);
   std::vector<std::byte> bytes;
   const auto built = build_stream(**clip, {}, [&](std::span<const std::byte> more) -> Result<void> {

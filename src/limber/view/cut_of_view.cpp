@@ -105,7 +105,7 @@ void Cut::update(const Mesh& mesh, const FrameState& state, const View& view) {
   const float asked = options_.by == CutBy::kError ? options_.error_bound : std::max(options_.enough, 1.0f);
   const bool holds = options_.by == CutBy::kError && options_.hold;
   const float limit = (holds ? kHeld : 1) * std::max(asked, kLeastLimit);
-  looking_->weights.measure(mesh, std::span(state.positions).first(mesh.vertex_count), view, limit);
+  looking_->weights.measure(mesh, std::span(state.positions).first(mesh.vertex_count), view, limit, holds);
   looking_->errors.estimate(mesh, state, looking_->weights.weights());
   count_children(state.hierarchy);
   switch (options_.by) {

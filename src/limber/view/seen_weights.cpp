@@ -45,6 +45,18 @@ void weigh_along(const Along& along, std::span<const Vec3f> positions, std::span
 
 }  // namespace
 
+void SeenWeights::measure_reach(const Mesh& mesh, std::span<const Vec3f> positions) {
+  for (const Triangle& t : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index from = t[k], to = t[(k + 1) % 3];
+      const float square = squared_length(positions[from] - positions[to]);
+      reach_[from] = std::max(reach_[from], square);
+      reach_[to] = std::max(reach_[to], square);
+    }
+  }
+  for (float& reach : reach_) reach = std::sqrt(reach);
+}
+
 void SeenWeights::see_through(const Camera& camera, const View& view, float limit, std::span<const Vec3f> positions) {
   const CameraAxes axes = camera_axes(camera);
   const Vec3f eye(camera.eye), right(axes.right), up(axes.up), ahead(-axes.back);
@@ -59,8 +71,8 @@ void SeenWeights::see_through(const Camera& camera, const View& view, float limi
   for (std::size_t v = 0; v < positions.size(); ++v) {
     const Vec3f q = positions[v] - eye;
     const float x = std::abs(dot(q, right)), y = std::abs(dot(q, up)), z = dot(q, ahead);
-    const float outside = std::max({0.0f, x * side_x - z * depth_x, y * side_y - z * depth_y, near - z});
-    weights_[v] = 1 / (std::max(z, near) * pixel + outside * beside);
+    const float outside = std::max({x * side_x - z * depth_x, y * side_y - z * depth_y, near - z}) - reach_[v];
+    weights_[v] = 1 / (std::max(z - reach_[v], near) * pixel + std::max(outside, 0.0f) * beside);
   }
 }
 
@@ -86,11 +98,14 @@ void SeenWeights::weigh_facing(const View& view, std::span<const Vec3f> position
   }
 }
 
-void SeenWeights::measure(const Mesh& mesh, std::span<const Vec3f> positions, const View& view, float limit) {
+void SeenWeights::measure(const Mesh& mesh, std::span<const Vec3f> positions, const View& view, float limit,
+                          bool for_triangles) {
   assert(positions.size() == mesh.vertex_count && limit > 0 && view.width >= 1 && view.height >= 1);
   assert(view.silhouettes >= 1 && view.facing_away >= 1);
   weights_.resize(positions.size());
   if (view.camera) {
+    reach_.assign(positions.size(), 0.0f);
+    if (for_triangles) measure_reach(mesh, positions);
     see_through(*view.camera, view, limit, positions);
     if (view.silhouettes > 1 || view.facing_away > 1) {
       sum_area_vectors(mesh, positions);
