@@ -25,7 +25,8 @@ class Ruler {
   double pixels(const Vec3d& place) const {
     const Vec3d q = place - eye_;
     const double depth = -dot(q, axes_.back);
-    if (!(depth > 0) || std::abs(dot(q, axes_.right)) > slope_x_ * depth || std::abs(dot(q, axes_.up)) > slope_y_ * depth)
+    if (!(depth > 0) || std::abs(dot(q, axes_.right)) > slope_x_ * depth ||
+        std::abs(dot(q, axes_.up)) > slope_y_ * depth)
       return 0;
     return scale_ / depth;
   }

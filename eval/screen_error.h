@@ -14,8 +14,8 @@ namespace limber::eval {
 // The largest distance of the points that lie in the picture, hidden or not, to the closest point of the other surface;
 // each in pixels: times the pixels that a length of 1 across the line of sight takes at the depth of the point.
 struct ScreenError {
-  double to_drawn = 0;     // from the vertices and samples of the original
-  double to_original = 0;  // from the vertices, middles of sides, and samples of what is drawn
+  double to_drawn = 0;          // from the vertices and samples of the original
+  double to_original = 0;       // from the vertices, middles of sides, and samples of what is drawn
   std::size_t point_count = 0;  // in the picture
 
   double largest() const { return to_drawn > to_original ? to_drawn : to_original; }

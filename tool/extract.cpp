@@ -94,8 +94,8 @@ Result<std::vector<Extracted>> extract_levels(eval::StreamLevels& levels, const 
 }
 
 // As the input of the pictures: the stream at the level asked for, and what it is compared with.
-Result<std::optional<double>> take_pictures_of(const Arguments& arguments, const eval::LevelChoice& level,
-                                               bool many, Console& console) {
+Result<std::optional<double>> take_pictures_of(const Arguments& arguments, const eval::LevelChoice& level, bool many,
+                                               Console& console) {
   ClipArgument original = arguments.picture.original;
   if (original.specification.empty()) original = arguments.stream;
   copy_part(arguments.stream.options, original.options);
@@ -123,9 +123,9 @@ void report(const Arguments& arguments, const eval::LevelChoice& level, std::spa
   const std::string frames = all.size() == 1 ? fmt::format("frame {}", all.front().number)
                                              : fmt::format("frames {} to {}", all.front().number, all.back().number);
   console.print("{}{}, asked for {}: {} vertices, {} triangles, error about {:.2g} %{}\n",
-                arguments.output.path.empty() ? "" : arguments.output.path + ": ", frames, describe(level.cut, level.view),
-                counts(all, &Extracted::vertices), counts(all, &Extracted::triangles), worst.estimated_error,
-                all.size() == 1 ? "" : " at most");
+                arguments.output.path.empty() ? "" : arguments.output.path + ": ", frames,
+                describe(level.cut, level.view), counts(all, &Extracted::vertices), counts(all, &Extracted::triangles),
+                worst.estimated_error, all.size() == 1 ? "" : " at most");
   Json list = Json::array();
   for (const Extracted& one : all) {
     list.push_back({{"frame", one.number},

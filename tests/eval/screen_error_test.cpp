@@ -35,8 +35,8 @@ TEST(ScreenError, LooksAtWhatLiesInThePictureOnly) {
   off[3].z = off[4].z = off[5].z = 7;
   const Surface original{triangles, positions}, drawn{triangles, off};
   const limber::View view{.camera = Camera{.eye = {0, 0, 10}, .fov_degrees = 60}};
-  const ScreenError error = measure_screen_error(original, ClosestPointTree(original), drawn, ClosestPointTree(drawn),
-                                                 view, 1000);
+  const ScreenError error =
+      measure_screen_error(original, ClosestPointTree(original), drawn, ClosestPointTree(drawn), view, 1000);
   EXPECT_EQ(error.largest(), 0);
 }
 
@@ -67,8 +67,8 @@ TEST(ScreenError, OfACutByPixelsIsNeverMoreThanPromisedAndMostlyNotMuchLess) {
     cut.update(mesh, state, view);
     list_triangles(mesh, cut.labels(), list);
     const Surface drawn{list.triangles, state.positions};
-    const ScreenError error = measure_screen_error(original, ClosestPointTree(original), drawn,
-                                                   ClosestPointTree(drawn), view, 20'000);
+    const ScreenError error =
+        measure_screen_error(original, ClosestPointTree(original), drawn, ClosestPointTree(drawn), view, 20'000);
     if (error.point_count < 500) continue;
     EXPECT_LE(error.largest(), pixels) << "seed " << seed;
     EXPECT_LE(cut.seen_error(), pixels);

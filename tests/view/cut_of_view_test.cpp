@@ -17,9 +17,8 @@ using test::Surface;
 
 // Of the torus, whose outer radius is 4.
 View view_from(const Vec3d& eye, const Vec3d& target = {}, double fov = 40) {
-  return {.camera = Camera{.eye = eye, .target = target, .up = {0, 0, 1}, .fov_degrees = fov},
-          .width = 800,
-          .height = 600};
+  return {
+      .camera = Camera{.eye = eye, .target = target, .up = {0, 0, 1}, .fov_degrees = fov}, .width = 800, .height = 600};
 }
 
 struct Scene {
@@ -86,7 +85,8 @@ TEST(CutOfView, HasOneActiveNodeOnEveryPathWhateverTheOptions) {
   const auto& [surface, state] = scene;
   test::Random random(2);
   for (const CutOptions& options :
-       {CutOptions{.by = CutBy::kError, .error_bound = 2}, CutOptions{.by = CutBy::kError, .error_bound = 2, .hold = false},
+       {CutOptions{.by = CutBy::kError, .error_bound = 2},
+        CutOptions{.by = CutBy::kError, .error_bound = 2, .hold = false},
         CutOptions{.by = CutBy::kVertices, .budget = 300}, CutOptions{.by = CutBy::kTriangles, .budget = 300},
         CutOptions{.by = CutBy::kLevel, .level = 2}}) {
     Cut cut(surface.mesh, state.hierarchy, options);
@@ -139,7 +139,8 @@ TEST(CutOfView, IsCoarserWhereTheSurfaceFacesAway) {
   const Scene scene;
   View view = view_from({0, 0, 12});
   const auto below = [](const Vec3f& p) { return p.z < -0.5f; };
-  Cut cut(scene.surface.mesh, scene.state.hierarchy, {.by = CutBy::kError, .error_bound = 1, .hysteresis = 1, .hold = false});
+  Cut cut(scene.surface.mesh, scene.state.hierarchy,
+          {.by = CutBy::kError, .error_bound = 1, .hysteresis = 1, .hold = false});
   cut.update(scene.surface.mesh, scene.state, view);
   const Index everywhere = active_count(cut, scene.state, below);
   view.facing_away = 20;
@@ -217,7 +218,8 @@ TEST(CutOfView, DoesNotAllocateAfterTheFirstUpdate) {
   const auto& [surface, state] = scene;
   test::Random random(5);
   for (const CutOptions& options :
-       {CutOptions{.by = CutBy::kError, .error_bound = 2}, CutOptions{.by = CutBy::kError, .error_bound = 2, .hold = false},
+       {CutOptions{.by = CutBy::kError, .error_bound = 2},
+        CutOptions{.by = CutBy::kError, .error_bound = 2, .hold = false},
         CutOptions{.by = CutBy::kVertices, .budget = 300}, CutOptions{.by = CutBy::kTriangles, .budget = 300}}) {
     Cut cut(surface.mesh, state.hierarchy, options);
     View view = view_from({9, 0, 5});

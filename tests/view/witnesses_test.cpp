@@ -85,7 +85,6 @@ TEST(Witnesses, FollowTheLabelsThatChange) {
   }
 }
 
-
 TEST(DrawnWitnesses, FindASpikeThatNoVertexOfTheSurfaceSees) {
   Scene scene;
   const std::vector<Index> labels = scene.labels(1);

@@ -53,16 +53,16 @@ struct CutOptions {
 // Error bound. A node is contracted where errors[n] / sqrt(area) is within the bound: the root of the mean squared
 // distance over the area that the node stands for at this frame, a third of each finest triangle going to each corner.
 //
-// Looked at with a view (view.h) the same criteria mean something else. A budget makes the largest error that is seen as
-// small as it can: nodes are expanded from the largest estimated error down. An error bound is in the unit of the view,
-// and with `hold` it is measured, not estimated: after update(mesh, state, view)
+// Looked at with a view (view.h) the same criteria mean something else. A budget makes the largest error that is seen
+// as small as it can: nodes are expanded from the largest estimated error down. An error bound is in the unit of the
+// view, and with `hold` it is measured, not estimated: after update(mesh, state, view)
 //
 //   every finest vertex and every middle of a finest side is within half of the bound of a triangle that is drawn,
 //   every drawn node, middle of a drawn side and centre of a drawn triangle is within half of it of the finest surface,
 //
-// where distances count as much as the view says at that place (for drawn nodes, as at the finest vertex below them that
-// counts most). The other half of the bound is for what lies between these samples; limber_screen_bench measures how
-// much of it that takes. Without `hold` all errors are estimates (node_errors.h), and an update is many times
+// where distances count as much as the view says at that place (for drawn nodes, as at the finest vertex below them
+// that counts most). The other half of the bound is for what lies between these samples; limber_screen_bench measures
+// how much of it that takes. Without `hold` all errors are estimates (node_errors.h), and an update is many times
 // faster. Where the view allows more, as outside the picture, that much more is promised. Isolated vertices are not.
 //
 // Hysteresis. Between frames a node that was expanded outranks one that was not unless the latter would gain more
@@ -88,7 +88,7 @@ class Cut {
   void update(const Mesh& mesh, const FrameState& state, const View& view);
 
   // After an update with a view: where the bound is held, a bound of what is seen (at most that asked for); otherwise
-  // a bound of the error at the finest vertices. In the unit of the view.
+  // the largest estimate of an active node. In the unit of the view.
   float seen_error() const;
 
   // [node_count]: the active node on the path from a node to the top, the node itself included; kNone for a node
@@ -144,7 +144,11 @@ class Cut {
 
   struct Looking {  // all that a view needs
     Looking(const Mesh& mesh, const Hierarchy& hierarchy)
-        : stars(mesh), errors(hierarchy), witnesses(mesh), drawn_witnesses(mesh, hierarchy), has_changed(mesh.vertex_count) {}
+        : stars(mesh),
+          errors(hierarchy),
+          witnesses(mesh),
+          drawn_witnesses(mesh, hierarchy),
+          has_changed(mesh.vertex_count) {}
 
     Stars stars;
     SeenWeights weights;

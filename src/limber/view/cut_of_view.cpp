@@ -35,7 +35,8 @@ void Cut::expand_by_seen_error(float limit) {
   for (std::size_t n = 0; n < expanded_.size(); ++n) expanded_[n] = errors[n] > squares[expanded_[n]];
 }
 
-// The coarsest nodes around the vertex, its own first: where that is fine and its neighbours are not, they are to blame.
+// The coarsest nodes around the vertex, its own first: where that is fine and its neighbours are not, they are to
+// blame.
 bool Cut::expand_around(const Mesh& mesh, const Hierarchy& hierarchy, Index vertex) {
   const Index base = hierarchy.vertex_count();
   Index coarsest = labels_[vertex];
@@ -73,7 +74,8 @@ void Cut::hold(const Mesh& mesh, const FrameState& state, float limit) {
   constexpr std::span<const std::uint8_t> kAll;
   bool has_expanded = false;
   for (;;) {
-    witnesses.find_for_sides(mesh, stars, drawn, limit, has_expanded ? std::span<const std::uint8_t>(has_changed) : kAll);
+    witnesses.find_for_sides(mesh, stars, drawn, limit,
+                             has_expanded ? std::span<const std::uint8_t>(has_changed) : kAll);
     drawn_witnesses.find(mesh, stars, drawn, errors.weights(), limit);
     bool expands = false;
     for (const auto& [node, square] : drawn_witnesses.failing()) {
@@ -129,8 +131,11 @@ void Cut::update(const Mesh& mesh, const FrameState& state, const View& view) {
   if (holds) {
     hold(mesh, state, limit);
   } else {
-    looking_->witnesses.find(mesh, looking_->stars, {state.positions, labels_, looking_->weights.weights()}, limit);
-    looking_->seen_error = std::sqrt(largest(looking_->witnesses.squared_bounds()));
+    const std::span<const float> errors = looking_->errors.squares();
+    float most = 0;
+    for (Index n = 0; n < errors.size(); ++n)
+      most = std::max(most, labels_[mesh.vertex_count + n] == mesh.vertex_count + n ? errors[n] : 0);
+    looking_->seen_error = std::sqrt(most);
   }
   count_vertices(state.hierarchy);
 }

@@ -31,8 +31,7 @@ float DrawnWitnesses::bound(const Mesh& mesh, const Stars& stars, const DrawnSur
   if (witness != kNone) {
     const float square = squared_distance_to_face(mesh, drawn.positions, point, witness);
     if (square <= enough) return square;
-    const NearFace near =
-        walk_downhill(mesh, stars, drawn.positions, point, mesh.triangles[witness][0], enough);
+    const NearFace near = walk_downhill(mesh, stars, drawn.positions, point, mesh.triangles[witness][0], enough);
     if (near.square <= enough) {
       witness = near.face;
       return near.square;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far what is drawn is from the surface: the other direction than witnesses.h, and the same idea. Samples of what is
-// drawn have a finest triangle each for a witness, and are no farther from the surface than from that.
-// Part of the player: standard library only.
+// How far what is drawn is from the surface: the other direction than witnesses.h, and the same idea. Samples of what
+// is drawn have a finest triangle each for a witness, and are no farther from the surface than from that. Part of the
+// player: standard library only.
 #pragma once
 
 #include <array>
@@ -46,9 +46,9 @@ class DrawnWitnesses {
   float bound(const Mesh& mesh, const Stars& stars, const DrawnSurface& drawn, const Vec3f& point, Index start,
               float enough, Index& witness);
 
-  std::vector<Index> node_faces_;                  // [node_count - vertex_count]: witnesses
-  std::vector<std::array<Index, 4>> faces_;        // [triangle_count]: of the sides and the centre of its image
-  std::vector<std::uint32_t> known_at_;            // [node_count]: the round in which a node was first drawn
+  std::vector<Index> node_faces_;            // [node_count - vertex_count]: witnesses
+  std::vector<std::array<Index, 4>> faces_;  // [triangle_count]: of the sides and the centre of its image
+  std::vector<std::uint32_t> known_at_;      // [node_count]: the round in which a node was first drawn
   std::vector<Failure> failing_;
   TriangleList list_;
   float largest_square_ = 0;

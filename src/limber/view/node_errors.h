@@ -35,8 +35,8 @@ class NodeErrors {
  private:
   void measure_areas(const Mesh& mesh, const FrameState& state);
 
-  std::vector<float> vertex_areas_;           // [vertex_count] of the first frame; empty before
-  std::vector<float> areas_, weights_;        // [node_count - vertex_count], as all that follow
+  std::vector<float> vertex_areas_;     // [vertex_count] of the first frame; empty before
+  std::vector<float> areas_, weights_;  // [node_count - vertex_count], as all that follow
   std::vector<float> squared_peaks_, squares_;
 };
 

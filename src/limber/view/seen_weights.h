@@ -16,7 +16,8 @@ class SeenWeights {
  public:
   // Measures all vertices, whose positions are [mesh.vertex_count]. `limit` is the error that the view will be held to,
   // > 0 (see View). With `for_triangles` a vertex counts with the largest weight within the longest side around it, so
-  // that a triangle counts in full where it alone reaches into the picture or nearer to the eye. Allocates only where there have not been as many vertices, or no criterion that asks for normals.
+  // that a triangle counts in full where it alone reaches into the picture or nearer to the eye. Allocates only where
+  // there have not been as many vertices, or no criterion that asks for normals.
   void measure(const Mesh& mesh, std::span<const Vec3f> positions, const View& view, float limit,
                bool for_triangles = false);
 

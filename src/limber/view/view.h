@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a level of detail is looked at with: where its errors matter, and by how much. What all criteria of a view have
-// in common is the `allowance` that they make: how many times larger an error may be at some place than where it matters
-// most (Hoppe, "View-dependent refinement of progressive meshes", 1997; Luebke and Erikson 1997).
-// Part of the player: standard library only.
+// in common is the `allowance` that they make: how many times larger an error may be at some place than where it
+// matters most (Hoppe, "View-dependent refinement of progressive meshes", 1997; Luebke and Erikson 1997). Part of the
+// player: standard library only.
 #pragma once
 
 #include <optional>
@@ -30,10 +30,10 @@ struct Along {
 
 // Criteria combine: their allowances are multiplied.
 //
-// With a camera errors are in pixels: a distance d at depth z counts for d / z times the pixels of a length of 1 at depth
-// 1, as much as if it lay across the line of sight. Outside the picture half of the distance to what is seen is allowed
-// on top (where the limit is N pixels; where there is none, N = 1), so that what is coarse there does not reach into
-// it. Without a camera errors are in percent of the diagonal of the frame's bounding box.
+// With a camera errors are in pixels: a distance d at depth z counts for d / z times the pixels of a length of 1 at
+// depth 1, as much as if it lay across the line of sight. Outside the picture half of the distance to what is seen is
+// allowed on top (where the limit is N pixels; where there is none, N = 1), so that what is coarse there does not reach
+// into it. Without a camera errors are in percent of the diagonal of the frame's bounding box.
 struct View {
   std::optional<Camera> camera;
   Index width = 1200, height = 900;  // of the picture, in pixels, >= 1

@@ -31,7 +31,9 @@ float squared_distance_to_image(const DrawnSurface& drawn, const Vec3f& place, c
 }  // namespace
 
 Witnesses::Witnesses(const Mesh& mesh)
-    : faces_(mesh.vertex_count, Triangle{}), squared_bounds_(mesh.vertex_count, 0.0f), was_sought_(mesh.vertex_count, 0) {
+    : faces_(mesh.vertex_count, Triangle{}),
+      squared_bounds_(mesh.vertex_count, 0.0f),
+      was_sought_(mesh.vertex_count, 0) {
   failing_.reserve(mesh.vertex_count);
   queue_.reserve(mesh.vertex_count);
   std::vector<std::pair<Index, Index>> edges;

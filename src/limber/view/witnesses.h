@@ -32,7 +32,8 @@ class Witnesses {
   void find(const Mesh& mesh, const Stars& stars, const DrawnSurface& drawn, float limit);
 
   // The same where only the labels of these vertices changed since: has_changed is [vertex_count].
-  void find_again(const Mesh& mesh, const Stars& stars, const DrawnSurface& drawn, float limit, std::span<const std::uint8_t> has_changed);
+  void find_again(const Mesh& mesh, const Stars& stars, const DrawnSurface& drawn, float limit,
+                  std::span<const std::uint8_t> has_changed);
 
   // Goes on: the same for the middles of the sides of finest triangles, whose ends fail where they do.
   // Where has_changed, [vertex_count], is not empty, only labels of these vertices have changed since the last call.
@@ -65,8 +66,8 @@ class Witnesses {
   void flood(const Mesh& mesh, const Stars& stars, const DrawnSurface& drawn);
   void settle(const Mesh& mesh, const Stars& stars, const DrawnSurface& drawn, float limit);
 
-  std::vector<Side> sides_;               // of the finest triangles, each once
-  std::vector<Triangle> faces_;           // [vertex_count]: the finest triangle whose image is the witness
+  std::vector<Side> sides_;      // of the finest triangles, each once
+  std::vector<Triangle> faces_;  // [vertex_count]: the finest triangle whose image is the witness
   std::vector<float> squared_bounds_;
   std::vector<std::uint8_t> was_sought_;  // [vertex_count]: looked at by the last find_again()
   std::vector<Index> failing_;
