@@ -8,8 +8,8 @@
 namespace limber::eval {
 
 using limber::Camera;
-using limber::CameraAxes;
 using limber::camera_axes;
+using limber::CameraAxes;
 
 struct FrameOptions {
   Vec3d up{0.0, 1.0, 0.0};
