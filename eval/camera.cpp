@@ -6,47 +6,13 @@
 #include <cmath>
 
 namespace limber::eval {
-namespace {
-
-constexpr double kPi = 3.14159265358979323846;
-
-// Tangent of half an angle of at most 120 degrees by its series: the same on every machine.
-double tangent_of_half(double degrees) {
-  const double x = std::clamp(degrees, 0.01, 120.0) * (kPi / 360.0);
-  double sine = 0.0, cosine = 0.0, term = 1.0;
-  for (int k = 0; k < 24; k += 2) {
-    cosine += term;
-    term *= x / (k + 1);
-    sine += term;
-    term *= -x / (k + 2);
-  }
-  return sine / cosine;
-}
-
-Vec3d unit_or(const Vec3d& v, const Vec3d& otherwise) {
-  const double l = length(v);
-  return l > 0.0 && std::isfinite(l) ? v * (1.0 / l) : otherwise;
-}
-
-CameraAxes axes_from(const Vec3d& towards_eye, const Vec3d& up) {
-  const Vec3d back = unit_or(towards_eye, {0.0, 0.0, 1.0});
-  Vec3d right = cross(unit_or(up, {0.0, 1.0, 0.0}), back);
-  if (squared_length(right) < 1e-12) right = cross(Vec3d{0.0, 0.0, -1.0}, back);
-  if (squared_length(right) < 1e-12) right = cross(Vec3d{0.0, 1.0, 0.0}, back);
-  right = unit_or(right, {1.0, 0.0, 0.0});
-  return {right, cross(back, right), back};
-}
-
-}  // namespace
-
-CameraAxes camera_axes(const Camera& camera) { return axes_from(camera.eye - camera.target, camera.up); }
 
 Camera frame_camera(const Box& box, const Vec3d& direction, double aspect, const FrameOptions& options) {
   assert(aspect > 0.0);
   const Vec3d low = box.empty() ? Vec3d{-0.5, -0.5, -0.5} : box.low;
   const Vec3d high = box.empty() ? Vec3d{0.5, 0.5, 0.5} : box.high;
   const Vec3d center = (low + high) * 0.5;
-  const CameraAxes axes = axes_from(direction, options.up);
+  const CameraAxes axes = camera_axes(direction, options.up);
   const double keep = 1.0 - 2.0 * std::clamp(options.margin, 0.0, 0.45);
   const double slope_y = tangent_of_half(options.fov_degrees) * keep;
   const double slope_x = slope_y * aspect;

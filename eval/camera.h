@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a picture is taken from.
+// Where a picture is taken from, and where in it a point is seen.
 #pragma once
 
 #include "limber/base/vec.h"
+#include "limber/view/camera.h"
 
 namespace limber::eval {
 
-// A perspective camera. It knows no picture size, so one camera serves all frames of a clip, all levels and all sizes.
-struct Camera {
-  Vec3d eye{0.0, 0.0, 5.0};
-  Vec3d target{};
-  Vec3d up{0.0, 1.0, 0.0};    // the world's up: what stands upright, and the normal of the ground
-  double fov_degrees = 24.0;  // vertical field of view, in (0, 120]
-
-  friend bool operator==(const Camera&, const Camera&) = default;
-};
+using limber::Camera;
+using limber::camera_axes;
+using limber::CameraAxes;
 
 struct FrameOptions {
   Vec3d up{0.0, 1.0, 0.0};
@@ -26,13 +21,6 @@ struct FrameOptions {
 // aspect is width / height of the picture. For a clip, give the box around all its frames. An empty box counts as the
 // unit cube around the origin; where `up` is parallel to `direction`, another axis stands in.
 Camera frame_camera(const Box& box, const Vec3d& direction, double aspect, const FrameOptions& options = {});
-
-// Orthonormal and right-handed: right and up in the picture, back from the target to the eye.
-struct CameraAxes {
-  Vec3d right, up, back;
-};
-
-CameraAxes camera_axes(const Camera& camera);
 
 // Homogeneous pixel coordinates: the pixel is (x / w, y / w), y downwards, the centre of the first pixel at (0.5, 0.5);
 // w is the distance from the eye along the view direction.

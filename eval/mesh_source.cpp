@@ -128,11 +128,11 @@ Result<std::unique_ptr<MeshSource>> open_meshes(std::string_view specification, 
   return meshes_of(std::move(*clip));
 }
 
-Result<std::unique_ptr<MeshSource>> open_stream_meshes(std::string_view path, const std::optional<CutOptions>& cut,
-                                                       const ClipOptions& options, Index blend) {
+Result<std::unique_ptr<MeshSource>> open_stream_meshes(std::string_view path, const LevelChoice& level,
+                                                       const ClipOptions& options) {
   Result<std::unique_ptr<StreamLevels>> levels = StreamLevels::open(fs::path(path));
   if (!levels) return levels.error();
-  (*levels)->choose(cut, blend);
+  (*levels)->choose(level);
   const std::uint32_t low = (*levels)->first_frame_number();
   const std::uint64_t high = std::uint64_t{low} + (*levels)->available_frames() - 1;
   if (const Result<void> fits = check_range(options, low, high, std::string(path)); !fits) return fits.error();

@@ -8,11 +8,11 @@
 #include <string_view>
 #include <vector>
 
+#include "eval/level_choice.h"
 #include "limber/base/mesh.h"
 #include "limber/base/result.h"
 #include "limber/base/vec.h"
 #include "limber/clip/clip.h"
-#include "limber/view/cut.h"
 
 namespace limber::eval {
 
@@ -45,9 +45,8 @@ Result<std::unique_ptr<MeshSource>> open_meshes(std::string_view specification, 
 // The frames of a clip.
 std::unique_ptr<MeshSource> meshes_of(std::unique_ptr<ClipReader> clip);
 
-// A cut through every frame of a stream file between options.first and options.last; without one the finest level.
-// `blend`: over how many frames a change is blended.
-Result<std::unique_ptr<MeshSource>> open_stream_meshes(std::string_view path, const std::optional<CutOptions>& cut,
-                                                       const ClipOptions& options, Index blend = 0);
+// A level of every frame of a stream file between options.first and options.last.
+Result<std::unique_ptr<MeshSource>> open_stream_meshes(std::string_view path, const LevelChoice& level,
+                                                       const ClipOptions& options);
 
 }  // namespace limber::eval

@@ -21,20 +21,25 @@ Result<std::unique_ptr<StreamLevels>> StreamLevels::open(const std::filesystem::
   if (levels->available_frames() == 0) {
     return Error{ErrorCode::kTruncated, levels->name_, "ends before its first frame is whole"};
   }
-  levels->choose(std::nullopt);
+  levels->choose({});
   return levels;
 }
 
-void StreamLevels::choose(const std::optional<CutOptions>& cut, Index blend) {
-  cut_.emplace(mesh(), state().hierarchy, cut.value_or(CutOptions{.by = CutBy::kLevel, .level = 0}));
+void StreamLevels::choose(const LevelChoice& level) {
+  cut_.emplace(mesh(), state().hierarchy, level.cut.value_or(CutOptions{.by = CutBy::kLevel, .level = 0}));
   blend_.reset();
   shown_ = kNone;
-  if (blend > 1) blend_.emplace(mesh(), state().hierarchy, BlendOptions{.frames = blend});
+  view_ = level.view;
+  if (level.blend > 1) blend_.emplace(mesh(), state().hierarchy, BlendOptions{.frames = level.blend});
 }
 
 Result<void> StreamLevels::show(std::uint32_t frame) {
   if (const Result<void> found = player_.seek(frame); !found) return located(found.error());
-  cut_->update(mesh(), state());
+  if (view_) {
+    cut_->update(mesh(), state(), *view_);
+  } else {
+    cut_->update(mesh(), state());
+  }
   if (blend_) blend_->update(state(), *cut_);
   shown_ = frame;
   return {};
@@ -68,6 +73,11 @@ double StreamLevels::estimated_error() const {
   }
   const double diagonal = bounding_box(surface).diagonal();
   return doubled_area > 0 && diagonal > 0 ? 100 * std::sqrt(squared_error / (0.5 * doubled_area)) / diagonal : 0;
+}
+
+std::optional<double> StreamLevels::seen_error() const {
+  if (!view_) return std::nullopt;
+  return double{cut_->seen_error()};
 }
 
 }  // namespace limber::eval

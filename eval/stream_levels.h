@@ -8,9 +8,9 @@
 #include <optional>
 #include <string>
 
+#include "eval/level_choice.h"
 #include "limber/base/result.h"
 #include "limber/view/blend.h"
-#include "limber/view/cut.h"
 #include "limber/view/extract.h"
 #include "limber/view/player.h"
 
@@ -22,9 +22,8 @@ class StreamLevels {
   // is whole.
   static Result<std::unique_ptr<StreamLevels>> open(const std::filesystem::path& path);
 
-  // How the frames are cut from now on; nothing: at the finest level. `blend`: over how many frames a change is
-  // blended (limber/view/blend.h).
-  void choose(const std::optional<CutOptions>& cut, Index blend = 0);
+  // How the frames are cut from now on.
+  void choose(const LevelChoice& level);
 
   const Mesh& mesh() const { return player_.mesh(); }
   const StreamHeader& header() const { return player_.header(); }
@@ -49,6 +48,9 @@ class StreamLevels {
   // the diagonal of the frame's bounding box. 0 at the finest level.
   double estimated_error() const;
 
+  // Cut::seen_error(), where the level is chosen with a view.
+  std::optional<double> seen_error() const;
+
  private:
   explicit StreamLevels(std::string name) : name_(std::move(name)) {}
   Error located(const Error& error) const;
@@ -58,6 +60,7 @@ class StreamLevels {
   std::string bytes_;
   Player player_;
   std::optional<Cut> cut_;
+  std::optional<limber::View> view_;
   std::optional<Blend> blend_;   // where changes are blended
   std::uint32_t shown_ = kNone;  // the last frame cut; kNone before the first
   ExtractScratch scratch_;

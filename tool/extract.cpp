@@ -14,6 +14,7 @@
 #include "tool/progress.h"
 #include "tool/take_pictures.h"
 #include "tool/verb.h"
+#include "tool/view_argument.h"
 
 namespace limber::tool {
 namespace {
@@ -22,6 +23,7 @@ struct Arguments {
   ClipArgument stream;
   std::optional<std::uint32_t> frame;
   LevelArgument level;
+  ViewArgument view;
   OutputArgument output;
   PictureArgument picture;
 };
@@ -31,6 +33,7 @@ struct Extracted {
   std::uint32_t number = 0;
   Index vertices = 0, triangles = 0;
   double estimated_error = 0;
+  std::optional<double> seen_error{};
 };
 
 bool is_numbered(const std::string& path) {
@@ -81,7 +84,7 @@ Result<std::vector<Extracted>> extract_levels(eval::StreamLevels& levels, const 
       if (const Result<void> written = write(buffers, triangles, *writer); !written) return written.error();
     }
     all.push_back({levels.first_frame_number() + frame, buffers.vertex_count(), buffers.triangle_count(),
-                   levels.estimated_error()});
+                   levels.estimated_error(), levels.seen_error()});
     if (!progress.update(all.size())) return interruption();
   }
   if (writer) {
@@ -91,8 +94,8 @@ Result<std::vector<Extracted>> extract_levels(eval::StreamLevels& levels, const 
 }
 
 // As the input of the pictures: the stream at the level asked for, and what it is compared with.
-Result<std::optional<double>> take_pictures_of(const Arguments& arguments, const std::optional<CutOptions>& cut,
-                                               bool many, Console& console) {
+Result<std::optional<double>> take_pictures_of(const Arguments& arguments, const eval::LevelChoice& level, bool many,
+                                               Console& console) {
   ClipArgument original = arguments.picture.original;
   if (original.specification.empty()) original = arguments.stream;
   copy_part(arguments.stream.options, original.options);
@@ -100,9 +103,10 @@ Result<std::optional<double>> take_pictures_of(const Arguments& arguments, const
   const bool fits_clip = arguments.picture.fit == Fit::kClip || (arguments.picture.fit == Fit::kSuitable && many);
   if (fits_clip) space.options = {};
   const PictureJob job{.options = arguments.picture.options,
-                       .open_level = [&] { return open_any_meshes(arguments.stream, cut, arguments.level.blend); },
+                       .open_level = [&] { return open_any_meshes(arguments.stream, level); },
                        .open_original = [&] { return open_any_meshes(original); },
-                       .open_space = [&] { return open_any_meshes(space); }};
+                       .open_space = [&] { return open_any_meshes(space); },
+                       .camera = camera_of(level.view, arguments.picture)};
   const Result<TakenPictures> taken = take_pictures(job, arguments.output, console);
   if (!taken) return taken.error();
   return taken->error_range;
@@ -113,26 +117,27 @@ std::string counts(std::span<const Extracted> all, Index Extracted::*count) {
   return low.*count == high.*count ? fmt::format("{}", low.*count) : fmt::format("{} to {}", low.*count, high.*count);
 }
 
-void report(const Arguments& arguments, const std::optional<CutOptions>& cut, std::span<const Extracted> all,
+void report(const Arguments& arguments, const eval::LevelChoice& level, std::span<const Extracted> all,
             const std::optional<double>& error_range, Console& console) {
   const auto worst = std::ranges::max(all, {}, &Extracted::estimated_error);
   const std::string frames = all.size() == 1 ? fmt::format("frame {}", all.front().number)
                                              : fmt::format("frames {} to {}", all.front().number, all.back().number);
   console.print("{}{}, asked for {}: {} vertices, {} triangles, error about {:.2g} %{}\n",
-                arguments.output.path.empty() ? "" : arguments.output.path + ": ", frames, describe(cut),
-                counts(all, &Extracted::vertices), counts(all, &Extracted::triangles), worst.estimated_error,
-                all.size() == 1 ? "" : " at most");
+                arguments.output.path.empty() ? "" : arguments.output.path + ": ", frames,
+                describe(level.cut, level.view), counts(all, &Extracted::vertices), counts(all, &Extracted::triangles),
+                worst.estimated_error, all.size() == 1 ? "" : " at most");
   Json list = Json::array();
   for (const Extracted& one : all) {
     list.push_back({{"frame", one.number},
                     {"vertices", one.vertices},
                     {"triangles", one.triangles},
-                    {"estimated_error", one.estimated_error}});
+                    {"estimated_error", one.estimated_error},
+                    {"seen_error", one.seen_error ? Json(*one.seen_error) : Json(nullptr)}});
   }
   console.report("limber.extract/1",
                  {{"input", arguments.stream.specification},
                   {"output", arguments.output.path.empty() ? Json(nullptr) : Json(arguments.output.path)},
-                  {"asked", describe_json(cut)},
+                  {"asked", describe_json(level.cut, level.view)},
                   {"blend", arguments.level.blend},
                   {"unit", "percent of the diagonal of the frame's bounding box"},
                   {"error_range", error_range ? Json(*error_range) : Json(nullptr)},
@@ -151,7 +156,7 @@ void check_usage(const Arguments& arguments) {
   const std::string& path = arguments.output.path;
   if (!path.empty() && !arguments.output.is_standard_output() && !is_picture(path) && !mesh_format(path))
     throw UsageError(fmt::format("{} is nothing that limber extracts; the extensions are .obj .ply .off .png", path));
-  if (arguments.picture.given && !is_picture(path))
+  if (arguments.picture.given && !is_picture(path) && !arguments.view.eye)
     throw UsageError("options of pictures need an output that ends in .png");
 }
 
@@ -179,19 +184,21 @@ Result<Exit> extract_verb(Arguments arguments, Console& console) {
     console.warn("{} is cut off: {} of its {} frames are whole", arguments.stream.specification,
                  levels.available_frames(), *promised);
 
-  const std::optional<CutOptions> cut = cut_options(arguments.level, !many);
-  levels.choose(cut, arguments.level.blend);
+  std::optional<CutOptions> cut = cut_options(arguments.level, !many);
+  const std::optional<View> view = view_of(with_picture(arguments.view, arguments.picture), cut);
+  const eval::LevelChoice level{.cut = cut, .view = view, .blend = arguments.level.blend};
+  levels.choose(level);
   std::optional<double> error_range;
   const bool pictures = is_picture(path);
   if (pictures) {
-    const Result<std::optional<double>> taken = take_pictures_of(arguments, cut, many, console);
+    const Result<std::optional<double>> taken = take_pictures_of(arguments, level, many, console);
     if (!taken) return taken.error();
     error_range = *taken;
   }
   const Result<std::vector<Extracted>> all =
       extract_levels(levels, *range, pictures || path.empty() ? nullptr : &arguments.output, console);
   if (!all) return all.error();
-  report(arguments, cut, *all, error_range, console);
+  report(arguments, level, *all, error_range, console);
   return Exit::kDone;
 }
 
@@ -204,6 +211,7 @@ Action declare_extract(CLI::App& app) {
       ->type_name("N");
   declare_frames(app, arguments->stream.options);
   declare_level(app, arguments->level);
+  declare_looking(app, arguments->view);
   declare_mesh_output(app, arguments->output,
                       "lod.obj (or .ply, .off), 'lod/%04d.obj' for several frames, - for standard output, or a "
                       "picture, lod.png; without it, only the sizes are said");

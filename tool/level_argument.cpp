@@ -52,34 +52,43 @@ std::optional<CutOptions> cut_options(const LevelArgument& argument, bool single
   return cut;
 }
 
-std::string describe(const std::optional<CutOptions>& cut) {
+std::string describe(const std::optional<CutOptions>& cut, const std::optional<View>& view) {
   if (!cut) return "the finest level";
+  const auto unless_below = [&] {
+    return cut->enough > 0 ? fmt::format(", no finer than {} pixels", cut->enough) : std::string();
+  };
   switch (cut->by) {
     case CutBy::kVertices:
-      return fmt::format("at most {} vertices", cut->budget);
+      return fmt::format("at most {} vertices{}", cut->budget, unless_below());
     case CutBy::kTriangles:
-      return fmt::format("at most {} triangles", cut->budget);
+      return fmt::format("at most {} triangles{}", cut->budget, unless_below());
     case CutBy::kError:
-      return fmt::format("an error of at most {} %", cut->error_bound);
+      return fmt::format("an error of at most {} {}", cut->error_bound, view && view->camera ? "pixels" : "%");
     case CutBy::kLevel:
       break;
   }
   return fmt::format("level {}", cut->level);
 }
 
-Json describe_json(const std::optional<CutOptions>& cut) {
+Json describe_json(const std::optional<CutOptions>& cut, const std::optional<View>& view) {
   if (!cut) return {{"level", 0}};
+  Json json;
   switch (cut->by) {
     case CutBy::kVertices:
-      return {{"vertices", cut->budget}};
+      json = {{"vertices", cut->budget}};
+      break;
     case CutBy::kTriangles:
-      return {{"triangles", cut->budget}};
+      json = {{"triangles", cut->budget}};
+      break;
     case CutBy::kError:
-      return {{"error", cut->error_bound}};
+      json = {{view && view->camera ? "pixels" : "error", cut->error_bound}};
+      break;
     case CutBy::kLevel:
+      json = {{"level", cut->level}};
       break;
   }
-  return {{"level", cut->level}};
+  if (cut->enough > 0) json["pixels"] = cut->enough;
+  return json;
 }
 
 }  // namespace limber::tool

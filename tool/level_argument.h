@@ -7,6 +7,7 @@
 #include <string>
 
 #include "limber/view/cut.h"
+#include "limber/view/view.h"
 #include "tool/console.h"
 
 namespace limber::tool {
@@ -28,8 +29,8 @@ void declare_level(CLI::App& app, LevelArgument& argument);
 // has no hysteresis unless it is asked for.
 std::optional<CutOptions> cut_options(const LevelArgument& argument, bool single_frame);
 
-// "at most 800 vertices"; and the same for machines.
-std::string describe(const std::optional<CutOptions>& cut);
-Json describe_json(const std::optional<CutOptions>& cut);
+// "at most 800 vertices"; and the same for machines. With a camera errors are in pixels.
+std::string describe(const std::optional<CutOptions>& cut, const std::optional<View>& view = {});
+Json describe_json(const std::optional<CutOptions>& cut, const std::optional<View>& view = {});
 
 }  // namespace limber::tool

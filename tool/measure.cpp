@@ -34,8 +34,8 @@ Error count_mismatch(const Arguments& arguments, std::uint64_t count, bool origi
 Result<eval::ClipMeasure> measure_all(const Arguments& arguments, Console& console) {
   auto original = open_original(arguments.original);
   if (!original) return original.error();
-  auto approximation =
-      open_any_meshes(arguments.approximation, cut_options(arguments.level, false), arguments.level.blend);
+  auto approximation = open_any_meshes(arguments.approximation,
+                                       {.cut = cut_options(arguments.level, false), .blend = arguments.level.blend});
   if (!approximation) return approximation.error();
   const std::uint32_t first_number = (*original)->first_frame_number();
   eval::ClipMeasure measure({.distance = arguments.distance, .first_frame_number = first_number});

@@ -11,14 +11,14 @@ namespace limber::tool {
 bool is_stream(std::string_view path) { return lower_case_extension(path) == ".limber"; }
 
 Result<std::unique_ptr<eval::MeshSource>> open_any_meshes(const ClipArgument& argument,
-                                                          const std::optional<CutOptions>& cut, Index blend) {
+                                                          const eval::LevelChoice& level) {
   if (is_stream(argument.specification)) {
-    return eval::open_stream_meshes(argument.specification, cut, argument.options, blend);
+    return eval::open_stream_meshes(argument.specification, level, argument.options);
   }
-  if (cut || blend > 0) {
+  if (level.cut || level.view || level.blend > 0) {
     throw UsageError(
         fmt::format("only a .limber stream has levels of detail, and {} is none; leave out --vertices, "
-                    "--triangles, --level, --error and --blend",
+                    "--triangles, --level, --error, --pixels and --blend",
                     argument.specification));
   }
   return eval::open_meshes(argument.specification, argument.options);
@@ -26,7 +26,7 @@ Result<std::unique_ptr<eval::MeshSource>> open_any_meshes(const ClipArgument& ar
 
 Result<std::unique_ptr<eval::MeshSource>> open_original(const ClipArgument& argument) {
   if (is_stream(argument.specification)) {
-    return eval::open_stream_meshes(argument.specification, std::nullopt, argument.options);
+    return eval::open_stream_meshes(argument.specification, {}, argument.options);
   }
   Result<std::unique_ptr<ClipReader>> clip = open_any_clip(argument);
   if (!clip) return clip.error();

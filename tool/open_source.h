@@ -14,10 +14,9 @@ namespace limber::tool {
 // By its extension.
 bool is_stream(std::string_view path);
 
-// Meshes that need not have one connectivity. A cut, and over how many frames its changes are blended, are for streams
-// only: UsageError for anything else.
+// Meshes that need not have one connectivity. A level is for streams only: UsageError for anything else.
 Result<std::unique_ptr<eval::MeshSource>> open_any_meshes(const ClipArgument& argument,
-                                                          const std::optional<CutOptions>& cut = {}, Index blend = 0);
+                                                          const eval::LevelChoice& level = {});
 
 // Meshes of one connectivity; of a stream, its finest level.
 Result<std::unique_ptr<eval::MeshSource>> open_original(const ClipArgument& argument);

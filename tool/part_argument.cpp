@@ -2,11 +2,10 @@
 #include "tool/part_argument.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <fmt/format.h>
 
 #include "tool/exit.h"
+#include "tool/numbers.h"
 
 namespace limber::tool {
 namespace {
@@ -22,16 +21,7 @@ eval::PartBall parse_part(const std::string& text) {
   if (text.find_first_of("/\\:*?\"<>| ") < equals)
     throw UsageError(fmt::format("--part {}: the name becomes that of a file: leave out spaces and slashes", text));
   double numbers[4] = {};
-  const char* at = text.data() + equals + 1;
-  const char* const last = text.data() + text.size();
-  for (double& number : numbers) {
-    const auto [end, error] = std::from_chars(at, last, number);
-    if (error != std::errc{} || !std::isfinite(number)) throw refuse();
-    at = end;
-    const bool is_last = &number == std::end(numbers) - 1;
-    if ((at == last) != is_last || (!is_last && *at++ != ',')) throw refuse();
-  }
-  if (!(numbers[3] > 0)) throw refuse();
+  if (!parse_numbers(std::string_view(text).substr(equals + 1), numbers) || !(numbers[3] > 0)) throw refuse();
   return {text.substr(0, equals), {numbers[0], numbers[1], numbers[2]}, numbers[3]};
 }
 

@@ -11,16 +11,6 @@ namespace {
 
 constexpr int kLargestSide = 16384;
 
-bool parse_size(std::string_view text, int& width, int& height) {
-  const std::size_t cross = text.find('x');
-  if (cross == std::string_view::npos) return false;
-  const auto parse = [](std::string_view digits, int& value) {
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    return error == std::errc{} && end == digits.data() + digits.size() && value >= 1 && value <= kLargestSide;
-  };
-  return parse(text.substr(0, cross), width) && parse(text.substr(cross + 1), height);
-}
-
 // An option with a text that `accept` understands, or not.
 template <class Accept>
 void add_text(CLI::App& app, PictureArgument& argument, const std::string& name, const std::string& description,
@@ -46,6 +36,16 @@ void add_flag(CLI::App& app, PictureArgument& argument, const std::string& name,
 
 }  // namespace
 
+bool parse_size(std::string_view text, int& width, int& height) {
+  const std::size_t cross = text.find('x');
+  if (cross == std::string_view::npos) return false;
+  const auto parse = [](std::string_view digits, int& value) {
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    return error == std::errc{} && end == digits.data() + digits.size() && value >= 1 && value <= kLargestSide;
+  };
+  return parse(text.substr(0, cross), width) && parse(text.substr(cross + 1), height);
+}
+
 bool is_picture(std::string_view path) { return lower_case_extension(path) == ".png"; }
 
 void declare_view(CLI::App& app, PictureArgument& argument) {
@@ -55,6 +55,7 @@ void declare_view(CLI::App& app, PictureArgument& argument) {
            "no view; give a name, or two numbers of degrees as in 40,14", [&](const std::string& text) {
              const std::optional<eval::View> view = eval::parse_view(text);
              if (view) options.view = *view;
+             argument.view_given = true;
              return view.has_value();
            });
   add_text(app, argument, "--up", "the axis that points up: y or z (y)", "AXIS", "neither y nor z",
@@ -101,6 +102,18 @@ void declare_picture(CLI::App& app, PictureArgument& argument) {
              argument.fit = text == "clip" ? Fit::kClip : Fit::kFrame;
              return text == "clip" || text == "frame";
            });
+}
+
+ViewArgument with_picture(ViewArgument view, const PictureArgument& picture) {
+  view.width = picture.options.width;
+  view.height = picture.options.height;
+  view.up = picture.options.up == eval::UpAxis::kZ ? Vec3d{0, 0, 1} : Vec3d{0, 1, 0};
+  return view;
+}
+
+std::optional<Camera> camera_of(const std::optional<View>& view, const PictureArgument& picture) {
+  if (!view || picture.view_given) return std::nullopt;
+  return view->camera;
 }
 
 }  // namespace limber::tool

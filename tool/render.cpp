@@ -6,6 +6,7 @@
 #include "tool/picture_argument.h"
 #include "tool/take_pictures.h"
 #include "tool/verb.h"
+#include "tool/view_argument.h"
 
 namespace limber::tool {
 namespace {
@@ -13,6 +14,7 @@ namespace {
 struct Arguments {
   ClipArgument clip;
   LevelArgument level;
+  ViewArgument view;
   std::optional<std::uint32_t> frame;
   PictureArgument picture;
   OutputArgument output;
@@ -50,12 +52,15 @@ Result<Exit> render(Arguments arguments, Console& console) {
     shown.options.first = shown.options.last = arguments.frame;
   }
   copy_part(shown.options, original.options);
-  const std::optional<CutOptions> cut = cut_options(arguments.level, !many);
+  std::optional<CutOptions> cut = cut_options(arguments.level, !many);
+  const std::optional<View> view = view_of(with_picture(arguments.view, arguments.picture), cut);
+  const eval::LevelChoice level{.cut = cut, .view = view, .blend = arguments.level.blend};
   const bool fits_clip = arguments.picture.fit == Fit::kClip || (arguments.picture.fit == Fit::kSuitable && many);
   const PictureJob job{.options = arguments.picture.options,
-                       .open_level = [&] { return open_any_meshes(shown, cut, arguments.level.blend); },
+                       .open_level = [&] { return open_any_meshes(shown, level); },
                        .open_original = [&] { return open_any_meshes(original); },
-                       .open_space = [&] { return open_any_meshes(fits_clip ? whole : shown); }};
+                       .open_space = [&] { return open_any_meshes(fits_clip ? whole : shown); },
+                       .camera = camera_of(view, arguments.picture)};
   const Result<TakenPictures> taken = take_pictures(job, arguments.output, console);
   if (!taken) return taken.error();
 
@@ -72,7 +77,7 @@ Result<Exit> render(Arguments arguments, Console& console) {
                   taken->frames.back().number);
   }
   console.report("limber.render/1", {{"output", arguments.output.path},
-                                     {"asked", describe_json(cut)},
+                                     {"asked", describe_json(cut, view)},
                                      {"error_range", taken->error_range ? Json(*taken->error_range) : Json(nullptr)},
                                      {"frames", frames}});
   return Exit::kDone;
@@ -85,6 +90,7 @@ Action declare_render(CLI::App& app) {
   declare_clip(app, arguments->clip);
   app.add_option("--frame", arguments->frame, "this frame only, as the source numbers it")->type_name("N");
   declare_level(app, arguments->level);
+  declare_looking(app, arguments->view);
   declare_output(app, arguments->output, "image.png, or 'images/%04d.png' for all frames");
   declare_picture(app, arguments->picture);
   return [arguments](Console& console) { return render(*arguments, console); };

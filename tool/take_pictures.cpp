@@ -49,7 +49,8 @@ Result<TakenPictures> take_pictures(const PictureJob& job, const OutputArgument&
   Progress progress(console, "looking");
   const Result<eval::PictureBounds> bounds = find_bounds(job, progress);
   if (!bounds) return bounds.error();
-  eval::Photographer photographer(job.options, *bounds);
+  eval::Photographer photographer =
+      job.camera ? eval::Photographer(job.options, *job.camera) : eval::Photographer(job.options, *bounds);
   progress.start("rendering", (*level)->frame_count());
   TakenPictures taken;
   eval::SourceMesh mesh, original_mesh;

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,9 +19,10 @@ using OpenMeshes = std::function<Result<std::unique_ptr<eval::MeshSource>>()>;
 
 struct PictureJob {
   eval::PictureOptions options;
-  OpenMeshes open_level;     // what is shown, a picture per frame
-  OpenMeshes open_original;  // as many frames; may be empty where the options need none
-  OpenMeshes open_space;     // the frames that the camera has room for
+  OpenMeshes open_level;           // what is shown, a picture per frame
+  OpenMeshes open_original;        // as many frames; may be empty where the options need none
+  OpenMeshes open_space;           // the frames that the camera has room for
+  std::optional<Camera> camera{};  // in its place
 };
 
 struct PicturedFrame {

@@ -49,6 +49,63 @@ TEST_F(ExtractVerb, TheFinestLevelIsTheInput) {
   EXPECT_EQ(extracted->positions, converted->positions);
 }
 
+TEST_F(ExtractVerb, LooksFromAnEye) {
+  const std::string file = stream();
+  const auto extracted = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> command = {"extract", file, "--frame", "3", "--json"};
+    command.insert(command.end(), more.begin(), more.end());
+    const Ran ran = run(command);
+    EXPECT_EQ(ran.exit, Exit::kDone) << ran.err;
+    return ran.json()["frames"][0];
+  };
+  const std::vector<std::string> eye = {"--eye", "0,0,5", "--target", "0,0,0", "--size", "800x600"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.end(), eye.begin(), eye.end());
+    return extracted(more);
+  };
+  const auto close = with({"--pixels", "1"}), rough = with({"--pixels", "8", "--fov", "40"});
+  EXPECT_LE(close["seen_error"], 1);
+  EXPECT_LE(rough["seen_error"], 8);
+  EXPECT_LT(rough["vertices"], close["vertices"]);
+  const auto budget = with({"--vertices", "100", "--pixels", "0.01"});
+  EXPECT_LE(budget["vertices"], 100);
+  EXPECT_GT(budget["vertices"], 80);
+  EXPECT_LE(with({"--vertices", "100", "--pixels", "500"})["vertices"], budget["vertices"]);
+  EXPECT_LE(with({"--pixels", "8", "--facing-away", "8", "--estimate"})["vertices"], close["vertices"]);
+  EXPECT_EQ(with({"--pixels", "8", "-o", path("a.obj")})["frame"], 3);
+}
+
+TEST_F(ExtractVerb, RefinesAlongAnAxisOrAroundAFocus) {
+  const std::string file = stream();
+  for (const std::vector<std::string>& look :
+       {std::vector<std::string>{"--along", "x:-0.5:0.5"}, std::vector<std::string>{"--focus", "0,0,0,0.3"}}) {
+    std::vector<std::string> command = {"extract", file, "--frame", "3", "--vertices", "120", "--json"};
+    command.insert(command.end(), look.begin(), look.end());
+    const Ran ran = run(command);
+    ASSERT_EQ(ran.exit, Exit::kDone) << ran.err;
+    EXPECT_LE(ran.json()["frames"][0]["vertices"], 120);
+    EXPECT_GT(ran.json()["frames"][0]["seen_error"], 0);
+  }
+}
+
+TEST_F(ExtractVerb, SaysWhatAViewLacks) {
+  const std::string file = stream();
+  const auto refused = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> command = {"extract", file, "--frame", "3"};
+    command.insert(command.end(), more.begin(), more.end());
+    const Ran ran = run(command);
+    EXPECT_EQ(ran.exit, Exit::kUsage);
+    return ran.err;
+  };
+  EXPECT_THAT(refused({"--eye", "0,0,5", "--pixels", "1"}), HasSubstr("--target"));
+  EXPECT_THAT(refused({"--pixels", "1"}), HasSubstr("--eye"));
+  EXPECT_THAT(refused({"--eye", "0,0,5", "--target", "0,0,0"}), HasSubstr("--pixels"));
+  EXPECT_THAT(refused({"--eye", "0,0,5", "--target", "0,0,0", "--level", "1"}), HasSubstr("--level"));
+  EXPECT_THAT(refused({"--eye", "0,0", "--target", "0,0,0", "--pixels", "1"}), HasSubstr("0,0 is no point"));
+  EXPECT_THAT(refused({"--along", "w:1:2", "--vertices", "100"}), HasSubstr("w:1:2"));
+  EXPECT_THAT(refused({"--focus", "1,2,3", "--vertices", "100"}), HasSubstr("1,2,3"));
+}
+
 TEST_F(ExtractVerb, WithoutAnOutputSaysWhatThereWouldBe) {
   const Ran ran = run({"extract", stream(), "--level", "1"});
   EXPECT_EQ(ran.exit, Exit::kDone);

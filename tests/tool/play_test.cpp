@@ -43,6 +43,21 @@ TEST_F(Play, DrawsTheUpdateOfEveryFrame) {
   EXPECT_EQ(run({"play", file, "-o", path("update.png")}).exit, Exit::kUsage);
 }
 
+TEST_F(Play, TurnsTheEyeAroundItsTarget) {
+  const std::string file = stream();
+  const std::vector<std::string> look = {"--eye", "0,0.5,4", "--target", "0,0,0", "--pixels", "3", "--json"};
+  std::vector<std::string> command = {"play", file, "--turn", "2"};
+  command.insert(command.end(), look.begin(), look.end());
+  const Ran ran = run(command);
+  ASSERT_EQ(ran.exit, Exit::kDone) << ran.err;
+  EXPECT_EQ(ran.json()["asked"]["pixels"], 3);
+  EXPECT_EQ(ran.json()["turn"], 2);
+  EXPECT_GT(ran.json()["milliseconds"]["moving"]["median"], 0.0);
+  EXPECT_GT(ran.json()["cut_vertices"], 10);
+  EXPECT_EQ(run({"play", file, "--turn", "2"}).exit, Exit::kUsage);
+  EXPECT_EQ(run({"play", file, "--pixels", "2"}).exit, Exit::kUsage);
+}
+
 TEST_F(Play, AStreamOfOneFrameHasNoSteps) {
   const Ran ran = run({"play", stream("a.limber", {"--last", "0"}), "--json"});
   EXPECT_EQ(ran.exit, Exit::kDone) << ran.err;

@@ -128,6 +128,25 @@ TEST(Budget, TakesErrorsThatAreNoNumbersWithoutHarm) {
   }
 }
 
+TEST(Budget, TakesTheWorstFirstAndNothingThatIsGoodEnough) {
+  //                             o3
+  //                         o0  o1  o2
+  const Tree tree = make_tree({3, 1}, {3, 3, 3}, {3, 2, 20, 10}, {1, 1, 1, 1});
+  const auto worst_first = [&](std::uint32_t budget, float enough) {
+    Budget chooser;
+    chooser.reserve(tree.hierarchy);
+    Bits expanded(4);
+    chooser.choose_worst_first(tree.hierarchy, {tree.errors, tree.price, budget}, enough, 1, expanded);
+    return expanded;
+  };
+  EXPECT_EQ(worst_first(0, 0), Bits({0, 0, 0, 0}));
+  EXPECT_EQ(worst_first(1, 0), Bits({0, 0, 0, 1})) << "not the worse one below it";
+  EXPECT_EQ(worst_first(3, 0), Bits({1, 0, 1, 1}));
+  EXPECT_EQ(worst_first(9, 0), Bits({1, 1, 1, 1}));
+  EXPECT_EQ(worst_first(9, 2.5f), Bits({1, 0, 1, 1}));
+  EXPECT_EQ(worst_first(9, 15), Bits({0, 0, 0, 0})) << "nothing without its parent";
+}
+
 // Every set of nodes that holds the parents of its members.
 void for_each_cut(const Tree& tree, Bits& expanded, Index next, const std::function<void(const Bits&)>& visit) {
   if (next == kNone) return visit(expanded);

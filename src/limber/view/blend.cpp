@@ -45,7 +45,8 @@ void for_each_difference(std::span<const Index> a, std::span<const Index> b, Vis
 
 // With another hysteresis the same level of detail is asked for.
 bool is_same(const CutOptions& a, const CutOptions& b) {
-  return a.by == b.by && a.level == b.level && a.budget == b.budget && a.error_bound == b.error_bound;
+  return a.by == b.by && a.level == b.level && a.budget == b.budget && a.error_bound == b.error_bound &&
+         a.enough == b.enough;
 }
 
 }  // namespace

@@ -180,15 +180,7 @@ std::uint64_t Budget::take_candidates(const Hierarchy& hierarchy, const Costs& c
   return left;
 }
 
-void Budget::choose(const Hierarchy& hierarchy, const Costs& costs, float hysteresis,
-                    std::span<std::uint8_t> expanded) {
-  assert(hysteresis >= 1.0f);
-  assert(costs.errors.size() == rank_.size() && costs.price.size() == rank_.size() && expanded.size() == rank_.size());
-  if (rank_.empty()) return;
-  measure_gains(hierarchy, costs.errors);
-  rank_nodes(hierarchy, costs.price);
-  rank_below_parents(hierarchy, hysteresis, expanded);
-
+void Budget::take_by_rank(const Hierarchy& hierarchy, const Costs& costs, std::span<std::uint8_t> expanded) {
   std::uint64_t left = take_whole_buckets(costs, expanded);
   gather([&](Index n) -> bool { return bucket_of(rank_[n]) == last_bucket_; });
   left = take_candidates(hierarchy, costs, left, expanded);
@@ -197,6 +189,28 @@ void Budget::choose(const Hierarchy& hierarchy, const Costs& costs, float hyster
     return later & fits;
   });
   take_candidates(hierarchy, costs, left, expanded);
+}
+
+void Budget::choose(const Hierarchy& hierarchy, const Costs& costs, float hysteresis,
+                    std::span<std::uint8_t> expanded) {
+  assert(hysteresis >= 1.0f);
+  assert(costs.errors.size() == rank_.size() && costs.price.size() == rank_.size() && expanded.size() == rank_.size());
+  if (rank_.empty()) return;
+  measure_gains(hierarchy, costs.errors);
+  rank_nodes(hierarchy, costs.price);
+  rank_below_parents(hierarchy, hysteresis, expanded);
+  take_by_rank(hierarchy, costs, expanded);
+}
+
+void Budget::choose_worst_first(const Hierarchy& hierarchy, const Costs& costs, float enough, float hysteresis,
+                                std::span<std::uint8_t> expanded) {
+  assert(hysteresis >= 1.0f && enough >= 0);
+  assert(costs.errors.size() == rank_.size() && costs.price.size() == rank_.size() && expanded.size() == rank_.size());
+  if (rank_.empty()) return;
+  for (std::size_t n = 0; n < rank_.size(); ++n) rank_[n] = costs.errors[n] > enough ? costs.errors[n] : 0;
+  rank_below_parents(hierarchy, hysteresis, expanded);
+  take_by_rank(hierarchy, costs, expanded);
+  for (std::size_t n = 0; n < rank_.size(); ++n) expanded[n] &= rank_[n] > 0;
 }
 
 }  // namespace limber

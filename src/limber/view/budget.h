@@ -32,6 +32,11 @@ class Budget {
   // Where a node's `expanded` is set at the start its rank is multiplied by `hysteresis` (>= 1).
   void choose(const Hierarchy& hierarchy, const Costs& costs, float hysteresis, std::span<std::uint8_t> expanded);
 
+  // The same for the least largest error: errors are those of single nodes, and nodes are taken from the largest error
+  // down, each after its parent. None whose error is at most `enough`, >= 0, even where budget is left.
+  void choose_worst_first(const Hierarchy& hierarchy, const Costs& costs, float enough, float hysteresis,
+                          std::span<std::uint8_t> expanded);
+
  private:
   // A group's gain is the squared error it takes away, its price what it uses up.
   struct Group {
@@ -43,6 +48,7 @@ class Budget {
   void rank_nodes(const Hierarchy& hierarchy, std::span<const std::uint32_t> price);
   Group best_group(Index node, float threshold, std::span<const std::uint32_t> price) const;
   void rank_below_parents(const Hierarchy& hierarchy, float hysteresis, std::span<const std::uint8_t> expanded);
+  void take_by_rank(const Hierarchy& hierarchy, const Costs& costs, std::span<std::uint8_t> expanded);
   std::uint64_t take_whole_buckets(const Costs& costs, std::span<std::uint8_t> expanded);
   template <class Condition>
   void gather(Condition condition);

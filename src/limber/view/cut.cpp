@@ -152,10 +152,23 @@ void Cut::find_drawn(const Hierarchy& hierarchy) {
   for (std::size_t n = 0; n < is_drawn_.size(); ++n) is_drawn[n] = (children[n] != 0) & (vertices[n] != part_size[n]);
 }
 
+// Gives what of the budget the top level leaves, as the next.
+std::uint32_t Cut::price_vertices(const Hierarchy& hierarchy) {
+  const Index base = hierarchy.vertex_count();
+  const Index top_begin = hierarchy.level_begin[hierarchy.level_count() - 1];
+  for (std::size_t n = 0; n < price_.size(); ++n) {
+    const std::uint32_t children = surface_children_[n];
+    price_[n] = (children - is_drawn_[n]) & (0 - std::uint32_t{children > 1});
+  }
+  Index top_count = 0;
+  for (std::size_t n = top_begin - base; n < price_.size(); ++n) top_count += is_drawn_[n];
+  return options_.budget > top_count ? options_.budget - top_count : 0;
+}
+
 // A finest triangle is in the degenerate set of the finest node at which two of its corners meet, and is drawn iff that
 // node is expanded: the price of a node is the size of its set. Level by level, without branches: triangles are mapped
 // to the level, counted where two corners met, and kept where not.
-void Cut::price_triangles(const Mesh& mesh, const Hierarchy& hierarchy) {
+std::uint32_t Cut::price_triangles(const Mesh& mesh, const Hierarchy& hierarchy) {
   const Index* parents = hierarchy.parent.data();
   Triangle* images = images_.data();
   std::size_t living = 0;
@@ -177,34 +190,13 @@ void Cut::price_triangles(const Mesh& mesh, const Hierarchy& hierarchy) {
     }
     living = kept;
   }
-  top_triangle_count_ = static_cast<std::uint32_t>(living);
+  return options_.budget > living ? options_.budget - static_cast<std::uint32_t>(living) : 0;
 }
 
 void Cut::expand_down_to_level(const Hierarchy& hierarchy) {
   const Index level = std::min(options_.level, hierarchy.level_count() - 1);
   const Index first = hierarchy.level_begin[level + 1] - hierarchy.vertex_count();
   for (Index n = 0; n < expanded_.size(); ++n) expanded_[n] = n >= first;
-}
-
-void Cut::expand_by_vertices(const FrameState& state) {
-  const Hierarchy& hierarchy = state.hierarchy;
-  const Index base = hierarchy.vertex_count();
-  const Index top_begin = hierarchy.level_begin[hierarchy.level_count() - 1];
-  for (std::size_t n = 0; n < price_.size(); ++n) {
-    const std::uint32_t children = surface_children_[n];
-    price_[n] = (children - is_drawn_[n]) & (0 - std::uint32_t{children > 1});
-  }
-  Index top_count = 0;
-  for (std::size_t n = top_begin - base; n < price_.size(); ++n) top_count += is_drawn_[n];
-  const Index left = options_.budget > top_count ? options_.budget - top_count : 0;
-  budget_.choose(hierarchy, {std::span(state.errors).subspan(base), price_, left}, options_.hysteresis, expanded_);
-}
-
-void Cut::expand_by_triangles(const Mesh& mesh, const FrameState& state) {
-  price_triangles(mesh, state.hierarchy);
-  const Index left = options_.budget > top_triangle_count_ ? options_.budget - top_triangle_count_ : 0;
-  budget_.choose(state.hierarchy, {std::span(state.errors).subspan(state.hierarchy.vertex_count()), price_, left},
-                 options_.hysteresis, expanded_);
 }
 
 void Cut::expand_by_error(const Mesh& mesh, const FrameState& state) {
@@ -254,17 +246,22 @@ void Cut::count_vertices(const Hierarchy& hierarchy) {
 void Cut::update(const Mesh& mesh, const FrameState& state) {
   assert(labels_.size() == state.hierarchy.node_count() && state.errors.size() == labels_.size());
   assert(mesh.vertex_count == has_surface_.size());
+  const std::span<const float> errors = std::span(state.errors).subspan(mesh.vertex_count);
   count_children(state.hierarchy);
   switch (options_.by) {
     case CutBy::kLevel:
       expand_down_to_level(state.hierarchy);
       break;
-    case CutBy::kVertices:
-      expand_by_vertices(state);
+    case CutBy::kVertices: {
+      const std::uint32_t left = price_vertices(state.hierarchy);
+      budget_.choose(state.hierarchy, {errors, price_, left}, options_.hysteresis, expanded_);
       break;
-    case CutBy::kTriangles:
-      expand_by_triangles(mesh, state);
+    }
+    case CutBy::kTriangles: {
+      const std::uint32_t left = price_triangles(mesh, state.hierarchy);
+      budget_.choose(state.hierarchy, {errors, price_, left}, options_.hysteresis, expanded_);
       break;
+    }
     case CutBy::kError:
       expand_by_error(mesh, state);
       break;

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,12 @@
 #include "limber/hierarchy/hierarchy.h"
 #include "limber/stream/frame_state.h"
 #include "limber/view/budget.h"
+#include "limber/view/drawn_witnesses.h"
+#include "limber/view/node_errors.h"
+#include "limber/view/seen_weights.h"
+#include "limber/view/stars.h"
+#include "limber/view/view.h"
+#include "limber/view/witnesses.h"
 
 namespace limber {
 
@@ -31,8 +38,10 @@ struct CutOptions {
   CutBy by = CutBy::kLevel;
   Index level = 0;           // kLevel: 0 is the finest; clamped to the top
   Index budget = 0;          // kVertices, kTriangles
-  float error_bound = 1;     // kError: percent of the bounding box diagonal of the frame, >= 0
+  float error_bound = 1;     // kError: percent of the bounding box diagonal of the frame, with a view in its unit, >= 0
   float hysteresis = 1.25f;  // >= 1: how many times better a change must be than what the frame before had
+  bool hold = true;          // kError, with a view: see below; otherwise its errors are estimates
+  float enough = 0;          // kVertices, kTriangles, with a view: what no budget is spent on going below, in its unit
 };
 
 // Budgets. The total squared error of the active nodes is made as small as the budget allows (see budget.h). Nothing is
@@ -44,9 +53,22 @@ struct CutOptions {
 // Error bound. A node is contracted where errors[n] / sqrt(area) is within the bound: the root of the mean squared
 // distance over the area that the node stands for at this frame, a third of each finest triangle going to each corner.
 //
+// Looked at with a view (view.h) the same criteria mean something else. A budget makes the largest error that is seen
+// as small as it can: nodes are expanded from the largest estimated error down. An error bound is in the unit of the
+// view, and with `hold` it is measured, not estimated: after update(mesh, state, view)
+//
+//   every finest vertex and every middle of a finest side is within half of the bound of a triangle that is drawn,
+//   every drawn node, middle of a drawn side and centre of a drawn triangle is within half of it of the finest surface,
+//
+// where distances count as much as the view says at that place (for drawn nodes, as at the finest vertex below them
+// that counts most). The other half of the bound is for what lies between these samples; limber_screen_bench measures
+// how much of it that takes. Without `hold` all errors are estimates (node_errors.h), and an update is many times
+// faster. Where the view allows more, as outside the picture, that much more is promised. Isolated vertices are not.
+//
 // Hysteresis. Between frames a node that was expanded outranks one that was not unless the latter would gain more
 // than `hysteresis` times as much per vertex or triangle; under an error bound it stays expanded until it is within
-// bound / hysteresis. Budgets and bounds always hold. With hysteresis 1 a cut depends on its frame alone.
+// bound / hysteresis. Budgets and bounds always hold. With hysteresis 1 a cut depends on its frame alone,
+// but with a view on what was measured before, too.
 class Cut {
  public:
   // Allocates all that updates need. `hierarchy` is any frame's of the clip: level sizes do not change.
@@ -61,6 +83,13 @@ class Cut {
   // Makes the cut of this frame. Any frame may follow any other. Does not allocate.
   // Precondition: the mesh and the level sizes that the cut was made with.
   void update(const Mesh& mesh, const FrameState& state);
+
+  // The same as it is looked at. The first call allocates.
+  void update(const Mesh& mesh, const FrameState& state, const View& view);
+
+  // After an update with a view: where the bound is held, a bound of what is seen (at most that asked for); otherwise
+  // the largest estimate of an active node. In the unit of the view.
+  float seen_error() const;
 
   // [node_count]: the active node on the path from a node to the top, the node itself included; kNone for a node
   // above the cut. Finest vertices (the first vertex_count) always have one.
@@ -78,11 +107,14 @@ class Cut {
   void count_finest_children(const Hierarchy& hierarchy);
   void count_children(const Hierarchy& hierarchy);
   void find_drawn(const Hierarchy& hierarchy);
-  void price_triangles(const Mesh& mesh, const Hierarchy& hierarchy);
+  std::uint32_t price_vertices(const Hierarchy& hierarchy);
+  std::uint32_t price_triangles(const Mesh& mesh, const Hierarchy& hierarchy);
   void expand_down_to_level(const Hierarchy& hierarchy);
-  void expand_by_vertices(const FrameState& state);
-  void expand_by_triangles(const Mesh& mesh, const FrameState& state);
   void expand_by_error(const Mesh& mesh, const FrameState& state);
+  void expand_by_seen_error(float limit);
+  void hold(const Mesh& mesh, const FrameState& state, float limit);
+  bool expand_around(const Mesh& mesh, const Hierarchy& hierarchy, Index vertex);
+  void relabel_vertices(const Hierarchy& hierarchy);
   void label_nodes(const Hierarchy& hierarchy);
   void count_vertices(const Hierarchy& hierarchy);
 
@@ -106,10 +138,27 @@ class Cut {
   std::vector<Index> part_size_below_;
   std::vector<std::uint8_t> is_drawn_;  // can have a triangle while active
   std::vector<std::uint32_t> price_;
-  std::uint32_t top_triangle_count_ = 0;
 
   std::vector<double> area_;      // [node_count], for an error bound
   std::vector<Triangle> images_;  // [triangle_count_], for a triangle budget
+
+  struct Looking {  // all that a view needs
+    Looking(const Mesh& mesh, const Hierarchy& hierarchy)
+        : stars(mesh),
+          errors(hierarchy),
+          witnesses(mesh),
+          drawn_witnesses(mesh, hierarchy),
+          has_changed(mesh.vertex_count) {}
+
+    Stars stars;
+    SeenWeights weights;
+    NodeErrors errors;
+    Witnesses witnesses;
+    DrawnWitnesses drawn_witnesses;
+    std::vector<std::uint8_t> has_changed;  // [vertex_count]: scratch of hold()
+    float seen_error = 0;
+  };
+  std::optional<Looking> looking_;
 };
 
 }  // namespace limber
