@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// What each vertex stands for: a quadric, its own faces' and what it has been given of those that were removed (Velho
+// 2001, "Measuring Error with Quadrics").
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "limber/base/mesh.h"
+#include "limber/base/quadric.h"
+#include "limber/base/vec.h"
+#include "limber/contract/vertex_quadrics.h"
+#include "limber/fourface/face_table.h"
+
+namespace limber {
+
+class VertexErrors {
+ public:
+  // positions: [mesh.vertex_count], normalized.
+  VertexErrors(const Mesh& mesh, std::vector<Vec3d> positions, const QuadricOptions& options);
+
+  std::span<const Vec3d> positions() const { return positions_; }
+  std::span<const Quadric> quadrics() const { return quadrics_; }
+  std::span<const double> own_errors() const { return own_error_; }  // Q_v(v)
+
+  // The planes that stand on the edge, at right angles to its faces, hold a line in place as they do a border.
+  void hold_line(const FaceTable& faces, Index half_edge);
+
+  // The least C(v), before removal_weight; infinite where v has no neighbours. Precondition: v is not complex.
+  double least_removal(const FaceTable& faces, Index v) const;
+
+  // How far apart the diagonals v r and s t of a quad are.
+  double swap_error(Index v, Index r, Index s, Index t) const;
+  // How far u is, as the root of the mean square, from the planes that v stands for.
+  double removal_error(Index v, Index u) const;
+
+  // v is removed: u and w stand for what it stood for; u alone where they are the same.
+  void share(Index v, Index u, Index w);
+
+  // Asks for the memory that planning the removal of v, or of a neighbour of v, will need.
+  void fetch_quadric(Index v) const { fetch(&quadrics_[v]), fetch(&quadrics_[v].c); }
+  void fetch_position(Index v) const { fetch(&positions_[v]), fetch(&own_error_[v]); }
+
+ private:
+  void add(Index v, const Quadric& quadric);
+
+  QuadricOptions options_;
+  std::vector<Vec3d> positions_;
+  std::vector<Quadric> quadrics_;
+  std::vector<double> own_error_;
+};
+
+}  // namespace limber
