@@ -2,10 +2,12 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "eval/four_face_levels.h"
 #include "eval/stream_levels.h"
 #include "limber/clip/frame_files.h"
 #include "limber/clip/mesh_sequence_writer.h"
 #include "limber/clip/numbered_name.h"
+#include "tool/four_face.h"
 #include "tool/frames_argument.h"
 #include "tool/level_argument.h"
 #include "tool/open_source.h"
@@ -14,6 +16,7 @@
 #include "tool/progress.h"
 #include "tool/take_pictures.h"
 #include "tool/verb.h"
+#include "tool/view_argument.h"
 
 namespace limber::tool {
 namespace {
@@ -22,6 +25,7 @@ struct Arguments {
   ClipArgument stream;
   std::optional<std::uint32_t> frame;
   LevelArgument level;
+  ViewArgument view;
   OutputArgument output;
   PictureArgument picture;
 };
@@ -151,7 +155,7 @@ void check_usage(const Arguments& arguments) {
   const std::string& path = arguments.output.path;
   if (!path.empty() && !arguments.output.is_standard_output() && !is_picture(path) && !mesh_format(path))
     throw UsageError(fmt::format("{} is nothing that limber extracts; the extensions are .obj .ply .off .png", path));
-  if (arguments.picture.given && !is_picture(path))
+  if (arguments.picture.given && !is_picture(path) && arguments.view.eye.empty())
     throw UsageError("options of pictures need an output that ends in .png");
 }
 
@@ -159,6 +163,12 @@ Result<Exit> extract_verb(Arguments arguments, Console& console) {
   check_usage(arguments);
   ClipOptions& options = arguments.stream.options;
   if (arguments.frame) options.first = options.last = arguments.frame;
+  if (eval::is_four_face_file(arguments.stream.specification)) {
+    return extract_four_face({arguments.stream, arguments.level, arguments.view, arguments.output, arguments.picture},
+                             console);
+  }
+  if (arguments.view.is_given())
+    throw UsageError("--eye, --pixels, --focus and --curvature are for four-face files (build --structure four-face)");
   auto opened = eval::StreamLevels::open(arguments.stream.specification);
   if (!opened) return opened.error();
   eval::StreamLevels& levels = **opened;
@@ -204,6 +214,7 @@ Action declare_extract(CLI::App& app) {
       ->type_name("N");
   declare_frames(app, arguments->stream.options);
   declare_level(app, arguments->level);
+  declare_viewpoint(app, arguments->view);
   declare_mesh_output(app, arguments->output,
                       "lod.obj (or .ply, .off), 'lod/%04d.obj' for several frames, - for standard output, or a "
                       "picture, lod.png; without it, only the sizes are said");

@@ -39,11 +39,10 @@ TEST_F(RecordOfSwaps, NumbersTrianglesInTheOrderInWhichTheyAreCreated) {
 }
 
 TEST_F(RecordOfSwaps, BeginsATriangleWithTheCornerAskedFor) {
-  for (Index f = 0; f < 2; ++f)
-    if (faces_.face(f).triangle == 4) record_.begin_with(faces_.face(f).corners[2]);
-  const FourKMesh made = std::move(record_).take();
-  for (Index f = 0; f < 2; ++f)
-    if (faces_.face(f).triangle == 4) EXPECT_EQ(made.triangles[4][0], faces_.face(f).corners[2]);
+  const Index first = faces_.face(0).triangle == 4 ? 0 : 1;
+  const Index last_corner = faces_.face(first).corners[2];
+  record_.begin_with(last_corner);
+  EXPECT_EQ(std::move(record_).take().triangles[4][0], last_corner);
 }
 
 TEST_F(RecordOfSwaps, GetsErrorsAndSpheresThatCoverWhatComesBefore) {
