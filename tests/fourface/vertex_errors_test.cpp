@@ -12,7 +12,7 @@ namespace {
 struct Roof {
   Mesh mesh{5, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}}};
   FaceTable faces{mesh};
-  VertexErrors errors{mesh, {{0, 0, 1}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}}, {}};
+  VertexErrors errors{mesh, {{0, 0, 1}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}}, 1, {}};
 };
 
 TEST(VertexErrors, FindsTheNeighbourThatCostsLeast) {

@@ -19,6 +19,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "limber/contract/cost_queue.h"
 #include "limber/contract/fetch.h"
@@ -35,17 +36,19 @@ constexpr float kNever = std::numeric_limits<float>::infinity();
 
 class Builder {
  public:
-  // mesh: its vertices in spatial order, as `positions`, which are normalized.
-  Builder(const Mesh& mesh, std::vector<Vec3d> positions, const FourKOptions& options)
+  // mesh: its vertices in spatial order, as `positions`, which are as VertexErrors wants them.
+  Builder(const Mesh& mesh, std::vector<Vec3d> positions, std::size_t frame_count, const FourKOptions& options)
       : options_(options),
         faces_(mesh),
-        errors_(mesh, std::move(positions), options.quadrics),
+        errors_(mesh, std::move(positions), frame_count, options.quadrics),
         kept_(mesh.vertex_count, 0),
         marks_(mesh.vertex_count, 0),
         plans_(mesh.vertex_count),
         planned_(mesh.vertex_count, 0),
         kept_error_(mesh.vertex_count),
         record_(mesh, faces_) {
+    if (frame_count > 1)
+      options_.cluster.fold_over_cosine = std::min(options_.cluster.fold_over_cosine, options_.many_fold_over_cosine);
     for (Index v = 0; v < mesh.vertex_count; ++v)
       if (faces_.outgoing(v) != kNone) ++vertices_left_;
   }
@@ -64,6 +67,8 @@ class Builder {
     return vertices_left_ <= options_.vertices || faces_.face_count() <= options_.triangles;
   }
   unsigned depth_of(const Star& star) const;
+  unsigned operations_at(Index half_edge) const { return faces_.face(FaceTable::face_of(half_edge)).operations; }
+  unsigned operations_below(const Star& star) const;
   float least_cost(Index v) const;
   bool is_current(Index v, const Star& star) const;
   bool plan(Index v, const Star& star, bool check_edges);
@@ -74,7 +79,6 @@ class Builder {
   Index triangle_of(Index half_edge) const { return faces_.face(FaceTable::face_of(half_edge)).triangle; }
   void swap_edge(Star& star, std::uint32_t place, unsigned depth);
   void remove_vertex(const Star& star, Index u, double error, unsigned depth);
-  ClusterInput input() const { return {faces_, errors_.positions(), errors_.quadrics(), errors_.own_errors()}; }
 
   FourKOptions options_;
   FaceTable faces_;
@@ -86,6 +90,7 @@ class Builder {
   std::vector<double> kept_error_;     // [vertex_count]: Q_u(u) as it was planned with
   std::uint8_t level_ = 0;             // the mark of this level, from 1
   unsigned most_depth_ = 0;            // of clusters in this level
+  unsigned most_operations_ = ~0u;     // a cluster of this level may depend on less than that in a row
   Index vertices_left_ = 0;
   Record record_;
 };
@@ -95,6 +100,12 @@ unsigned Builder::depth_of(const Star& star) const {
   for (std::uint32_t i = 0; i < star.face_count(); ++i)
     depth = std::max<unsigned>(depth, faces_.face(FaceTable::face_of(star.spoke[i])).depth);
   return depth + 1;
+}
+
+unsigned Builder::operations_below(const Star& star) const {
+  unsigned most = 0;
+  for (std::uint32_t i = 0; i < star.face_count(); ++i) most = std::max(most, operations_at(star.spoke[i]));
+  return most;
 }
 
 // At most E(v): C(v) alone, which needs no plan; kNever where v stays.
@@ -141,7 +152,7 @@ void Builder::run_level(const GoOnFunction& go_on) {
     if (was > kNothing && faces_.face_count() <= enough) return;
     if (marks_[v] == level_) continue;
     Star star;
-    if (!faces_.gather(v, star) || depth_of(star) > most_depth_) continue;
+    if (!faces_.gather(v, star) || depth_of(star) > most_depth_ || operations_below(star) >= most_operations_) continue;
     bool found = is_current(v, star) || plan(v, star, false);
     if (found && plans_[v].cost <= was && !creates_new_edges(faces_, star, plans_[v])) found = plan(v, star, true);
     if (!found) continue;
@@ -158,7 +169,7 @@ bool Builder::is_current(Index v, const Star& star) const {
 }
 
 bool Builder::plan(Index v, const Star& star, bool check_edges) {
-  if (!plan_cluster(input(), star, options_.cluster, check_edges, plans_[v])) return false;
+  if (!plan_cluster({faces_, errors_}, star, options_.cluster, check_edges, plans_[v])) return false;
   planned_[v] = level_;
   kept_error_[v] = errors_.own_errors()[star.ring[plans_[v].kept]];
   return true;
@@ -180,14 +191,16 @@ void Builder::simplify_cluster(Star& star, const ClusterPlan& plan) {
 void Builder::swap_edge(Star& star, std::uint32_t place, unsigned depth) {
   const std::uint32_t before = place == 0 ? star.count - 1 : place - 1, after = place + 1 == star.count ? 0 : place + 1;
   const std::array<Index, 2> destroyed{triangle_of(star.spoke[before]), triangle_of(star.spoke[place])};
+  const unsigned operations = 1 + std::max(operations_at(star.spoke[before]), operations_at(star.spoke[place]));
   const double error = errors_.swap_error(star.center, star.ring[place], star.ring[before], star.ring[after]);
-  record_.add(faces_, star.center, error, destroyed, faces_.swap(star, place), depth);
+  record_.add(faces_, star.center, error, destroyed, faces_.swap(star, place), depth, operations);
 }
 
 // Of four faces, or three, or the two of a border vertex.
 void Builder::remove_vertex(const Star& star, Index u, double error, unsigned depth) {
   std::array<Index, 4> destroyed{};
   for (std::uint32_t i = 0; i < star.face_count(); ++i) destroyed[i] = triangle_of(star.spoke[i]);
+  const unsigned operations = 1 + operations_below(star);
   std::array<Index, 2> left{};
   std::size_t left_count = 1;
   if (star.closed && star.count == 4) {
@@ -198,7 +211,7 @@ void Builder::remove_vertex(const Star& star, Index u, double error, unsigned de
     left[0] = faces_.remove_between_three(star);
   }
   record_.add(faces_, star.center, error, std::span(destroyed).first(star.face_count()),
-              std::span(left).first(left_count), depth);
+              std::span(left).first(left_count), depth, operations);
   record_.begin_with(u);
 }
 
@@ -207,6 +220,8 @@ FourKMesh Builder::run(const GoOnFunction& go_on) {
   while (record_.level_count() < levels && level_ < 250 && !is_small_enough() && !(go_on && !go_on())) {
     ++level_;
     most_depth_ = static_cast<unsigned>(std::floor(std::max(options_.clusters_per_level, 1.0) * level_));
+    if (options_.operations_per_level > 0)
+      most_operations_ = static_cast<unsigned>(std::floor(std::max(options_.operations_per_level, 1.0) * level_));
     price_all();
     run_level(go_on);
     if (record_.end_level()) continue;
@@ -220,19 +235,29 @@ FourKMesh Builder::run(const GoOnFunction& go_on) {
 
 FourKMesh build_four_k(const Mesh& mesh, std::span<const Vec3f> positions, const FourKOptions& options,
                        const FourKTags& tags, GoOnFunction go_on) {
-  assert(positions.size() == mesh.vertex_count && options.threads >= 1);
-  const SpatialMesh placed = in_spatial_order(mesh, positions);
-  const Normalization normalize = normalization(positions);
+  return build_four_k(mesh, std::span(&positions, 1), options, tags, std::move(go_on));
+}
+
+FourKMesh build_four_k(const Mesh& mesh, std::span<const std::span<const Vec3f>> frames, const FourKOptions& options,
+                       const FourKTags& tags, GoOnFunction go_on) {
+  assert(!frames.empty() && frames[0].size() == mesh.vertex_count && options.threads >= 1);
+  const SpatialMesh placed = in_spatial_order(mesh, frames[0]);
+  const double scale = normalization(frames[0]).scale;
   const auto unit_positions = [&] {
-    std::vector<Vec3d> all(mesh.vertex_count);
-    for (Index i = 0; i < mesh.vertex_count; ++i) all[i] = normalize.to_unit(positions[placed.order[i]]);
+    std::vector<Vec3d> all(mesh.vertex_count * frames.size());
+    for (std::size_t f = 0; f < frames.size(); ++f) {
+      Normalization normalize = normalization(frames[f]);
+      normalize.scale = scale;
+      for (Index i = 0; i < mesh.vertex_count; ++i)
+        all[i * frames.size() + f] = normalize.to_unit(frames[f][placed.order[i]]);
+    }
     return all;
   };
-  std::optional<Builder> builder(std::in_place, placed.mesh, unit_positions(), options);
+  std::optional<Builder> builder(std::in_place, placed.mesh, unit_positions(), frames.size(), options);
   if (builder->has_turned_edges()) {
     Mesh alike = placed.mesh;
     orient_alike(alike);
-    builder.emplace(alike, unit_positions(), options);
+    builder.emplace(alike, unit_positions(), frames.size(), options);
   }
   for (const Index v : tags.vertices) builder->keep(placed.places[v]);
   for (const auto& [a, b] : tags.edges) builder->tag_edge(placed.places[a], placed.places[b]);
@@ -240,7 +265,7 @@ FourKMesh build_four_k(const Mesh& mesh, std::span<const Vec3f> positions, const
   for (Triangle& t : made.triangles)
     for (Index& corner : t) corner = placed.order[corner];
   for (Index& v : made.vertex) v = placed.order[v];
-  make_monotone(made, positions, normalize.scale);
+  make_monotone(made, frames[0], scale);
   return made;
 }
 

@@ -45,7 +45,7 @@ void measure_frame(FourKMesh& mesh, std::span<const Vec3f> positions, const Quad
   std::vector<Vec3d> unit(positions.size());
   std::transform(positions.begin(), positions.end(), unit.begin(),
                  [&](const Vec3f& p) { return normalize.to_unit(p); });
-  VertexErrors errors(finest, std::move(unit), options);
+  VertexErrors errors(finest, std::move(unit), 1, options);
   for (Index o = 0; o < mesh.operation_count(); ++o) {
     const Index v = mesh.vertex[o];
     if (!mesh.is_removal(o)) {

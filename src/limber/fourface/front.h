@@ -43,6 +43,8 @@ class Front {
   void remember() { remembered_ = applied_; }
   bool was_applied(Index operation) const { return remembered_[operation] != 0; }
 
+  bool is_applied(Index operation) const { return applied_[operation] != 0; }
+
   // Of the front's triangles.
   Index vertex_count() const { return vertex_count_; }
 

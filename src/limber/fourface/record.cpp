@@ -22,7 +22,7 @@ Record::Record(const Mesh& mesh, const FaceTable& faces) {
 }
 
 void Record::add(FaceTable& faces, Index v, double error, std::span<const Index> destroyed,
-                 std::span<const Index> created_faces, unsigned depth) {
+                 std::span<const Index> created_faces, unsigned depth, unsigned operations) {
   const Index operation = mesh_.operation_count();
   for (const Index t : destroyed) mesh_.destroyer[t] = operation;
   mesh_.destroyed.insert(mesh_.destroyed.end(), destroyed.begin(), destroyed.end());
@@ -30,6 +30,7 @@ void Record::add(FaceTable& faces, Index v, double error, std::span<const Index>
     Face& face = faces.face(f);
     face.triangle = mesh_.triangle_count();
     face.depth = static_cast<std::uint16_t>(depth);
+    face.operations = static_cast<std::uint16_t>(operations);
     mesh_.triangles.push_back(face.corners);
     mesh_.creator.push_back(operation);
     mesh_.destroyer.push_back(kNone);

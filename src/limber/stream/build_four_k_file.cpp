@@ -39,7 +39,8 @@ FourKMesh build_structure(const Mesh& mesh, const BaseFrames& base, const BuildF
                           const GoOnFunction& go_on) {
   FourKTags tags;
   if (options.crease_cosine) tags.edges = find_creases(mesh, base.positions.front(), *options.crease_cosine);
-  return build_four_k(mesh, base.positions.front(), options.structure, tags, go_on);
+  const std::vector<std::span<const Vec3f>> frames(base.positions.begin(), base.positions.end());
+  return build_four_k(mesh, frames, options.structure, tags, go_on);
 }
 
 }  // namespace
