@@ -108,7 +108,8 @@ void expect_fronts_that_do_not_fold(const RealMesh& real, int count) {
       request = {};
       const double error = static_cast<double>(largest) * std::pow(2.0, -static_cast<double>(random() % 14));
       if (i % 30 == 0) request.error = error;
-      if (i % 30 == 10) request.focus = Ball{at, error * (1 + random() % 200)}, request.error = error / 8;
+      if (i % 30 == 10)
+        request.focus = Ball{at, error * static_cast<double>(1 + random() % 200)}, request.error = error / 8;
       if (i % 30 == 20) request.triangles = 20 + static_cast<Index>(random() % mesh.finest_count);
     } else if (request.error) {
       *request.error *= 1.05;

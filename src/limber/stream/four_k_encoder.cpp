@@ -199,7 +199,15 @@ struct FourKEncoder::File {
   std::vector<Lattice> first, before;       // positions of frame 0 and of the last frame
   std::vector<std::int32_t> first_errors, errors_before;
 
+  // Parts that wait for the first.
+  bool first_part_last = false, holds_now = false;
+  std::vector<std::vector<std::byte>> held;
+
   Result<void> write(std::span<const std::byte> bytes) {
+    if (holds_now) {
+      held.emplace_back(bytes.begin(), bytes.end());
+      return {};
+    }
     offset += bytes.size();
     return sink(bytes);
   }
@@ -266,6 +274,7 @@ Result<void> FourKEncoder::begin(const Box& box, Index input_count, const FourKE
     h.tolerance = choice.step == 0 ? 0 : options.tolerance * h.diagonal;
   }
   file_->key_interval = options.key_interval;
+  file_->first_part_last = options.first_part_last && options.part_count > 1;
   file_->quantizer = Quantizer(h.origin, h.step);
   std::vector<std::byte> bytes;
   for (const std::uint8_t byte : kMagic) bytes.push_back(static_cast<std::byte>(byte));
@@ -286,10 +295,13 @@ Result<void> FourKEncoder::add_part(const FourKMesh& mesh, std::span<const Vec3f
                                     std::span<const Index> numbers) {
   assert(positions.size() == mesh.vertex_count && (numbers.empty() || numbers.size() == mesh.vertex_count));
   if (Result<void> good = file_->check(positions); !good) return good;
+  const bool is_first = !file_->first_part_last || file_->parts + 1 == file_->header.part_count;
+  const std::uint32_t number = !file_->first_part_last ? file_->parts : is_first ? 0 : file_->parts + 1;
+  file_->holds_now = !is_first;
   const std::vector<Index> begins = cluster_begins(mesh);
   PartWriter writer(mesh, positions, numbers, file_->quantizer);
   const Index input_count = file_->header.vertex_count;
-  if (Result<void> written = file_->write_chunk(kPartChunk, file_->parts, writer.coarsest(input_count)); !written)
+  if (Result<void> written = file_->write_chunk(kPartChunk, number, writer.coarsest(input_count)); !written)
     return written;
   std::vector<std::byte> payload;
   std::uint32_t chunk = 0;
@@ -303,6 +315,11 @@ Result<void> FourKEncoder::add_part(const FourKMesh& mesh, std::span<const Vec3f
   }
   if (file_->header.frame_count > 1) file_->keep(mesh, std::move(writer));
   ++file_->parts;
+  file_->holds_now = false;
+  if (!file_->first_part_last || !is_first) return {};
+  for (const std::vector<std::byte>& bytes : file_->held)
+    if (Result<void> written = file_->write(bytes); !written) return written;
+  file_->held.clear();
   return {};
 }
 

@@ -18,6 +18,7 @@ struct FourKEncoderOptions {
   bool lossless = false;
   std::uint32_t key_interval = 16;  // so many frames are decoded at most to get at one; >= 1
   std::uint32_t part_count = 1;     // >= 1
+  bool first_part_last = false;     // the first part is added after all others, which are held in memory until then
   std::uint32_t frame_count = 1;    // >= 1; 1 where there are several parts
   std::uint32_t first_frame_number = 0;
   double frames_per_second = 24.0;  // finite, > 0
