@@ -45,7 +45,7 @@ std::string describe(const FourFaceExtract& arguments, const eval::FourFaceReque
   if (request.front.vertices) parts.push_back(fmt::format("at most {} vertices", *request.front.vertices));
   if (request.front.triangles) parts.push_back(fmt::format("at most {} triangles", *request.front.triangles));
   if (request.front.level) parts.push_back(fmt::format("level {}", *request.front.level));
-  if (request.error_percent) parts.push_back(fmt::format("an error of at most {} %", *request.error_percent));
+  if (request.error_percent) parts.push_back(fmt::format("an error of at most {:g} %", *request.error_percent));
   if (request.front.pixels) parts.push_back(fmt::format("an error of at most {} pixels", *request.front.pixels));
   if (request.bend_degrees) parts.push_back(fmt::format("bends of at most {} degrees", *request.bend_degrees));
   if (request.front.view) parts.push_back(fmt::format("what is seen from {}", fmt::join(arguments.view.eye, ",")));
