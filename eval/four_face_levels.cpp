@@ -58,6 +58,10 @@ Result<std::unique_ptr<FourFaceLevels>> FourFaceLevels::open(const std::filesyst
   if (const Result<void> read = read_file(path, levels->bytes_); !read) return read.error();
   const Result<void> opened = levels->clip_.open(std::as_bytes(std::span(levels->bytes_)));
   if (!opened) return located(levels->name_, opened.error());
+  if (levels->clip_.decoder().header().part_count > 1) {
+    return Error{ErrorCode::kUnsupported, levels->name_,
+                 "has several parts, of a mesh larger than memory; examples/height_field.cpp takes meshes out of it"};
+  }
   levels->front_.emplace(levels->clip_.mesh());
   return levels;
 }
