@@ -7,27 +7,10 @@
 #include <span>
 #include <vector>
 
-#include "limber/stream/chunk.h"
+#include "fuzz/seal_chunks.h"
 #include "limber/stream/decoder.h"
 
 namespace {
-
-void put(std::byte* at, std::uint32_t value) {
-  for (std::size_t i = 0; i < 4; ++i) at[i] = static_cast<std::byte>(value >> (8 * i));
-}
-
-void seal_chunks(std::span<std::byte> bytes) {
-  using namespace limber;
-  std::size_t at = kPreambleSize;
-  while (at < bytes.size() && bytes.size() - at >= kChunkHeaderSize) {
-    const std::size_t length = load_little_endian<std::uint32_t>(&bytes[at + 8]);
-    const std::size_t present = bytes.size() - at - kChunkHeaderSize;
-    if (length <= present) put(&bytes[at + 12], crc32c(bytes.subspan(at + kChunkHeaderSize, length)));
-    put(&bytes[at + 16], crc32c(bytes.subspan(at, 16)));
-    if (length > present) return;
-    at += kChunkHeaderSize + length;
-  }
-}
 
 void require_tree(const limber::FrameState& state) {
   const limber::Hierarchy& h = state.hierarchy;
@@ -47,7 +30,7 @@ void require_tree(const limber::FrameState& state) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto input = std::as_bytes(std::span(data, size));
   std::vector<std::byte> bytes(input.begin(), input.end());
-  seal_chunks(bytes);
+  limber::seal_chunks(bytes);
   limber::Decoder decoder;
   if (!decoder.open(bytes)) return 0;
   limber::FrameState state, entered;

@@ -11,6 +11,7 @@
 #include "limber/clip/clip.h"
 #include "limber/clip/mesh_file.h"
 #include "limber/clip/sample.h"
+#include "limber/stream/build_four_k_file.h"
 #include "limber/stream/build_stream.h"
 
 namespace {
@@ -125,6 +126,24 @@ void write_streams(const fs::path& folder, const fs::path& scratch) {
   write_stream(folder / "one_level", *open(), options);
 }
 
+void write_four_face_file(const fs::path& path, ClipReader& clip, const BuildFourKOptions& options) {
+  std::string bytes;
+  must(build_four_k_file(clip, options, [&bytes](std::span<const std::byte> more) {
+    bytes.append(reinterpret_cast<const char*>(more.data()), more.size());
+    return Result<void>();
+  }));
+  write(path, bytes);
+}
+
+void write_four_face_files(const fs::path& folder) {
+  for (const std::string name : {"gallop?vertices=100&frames=4", "flag?vertices=100&frames=1"}) {
+    const auto clip = must(open_sample("sample:" + name));
+    write_four_face_file(folder / name.substr(0, 4), *clip, {.encoder = {.key_interval = 2}});
+  }
+  const auto clip = must(open_sample("sample:collapse?vertices=60&frames=3"));
+  write_four_face_file(folder / "lossless", *clip, {.encoder = {.lossless = true}});
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -137,6 +156,7 @@ int main(int argc, char** argv) {
   write_mesh_files(folder / "limber_mesh_file_fuzzer", scratch);
   write_point_caches(folder / "limber_point_cache_fuzzer", scratch);
   write_streams(folder / "limber_stream_fuzzer", scratch);
+  write_four_face_files(folder / "limber_four_k_fuzzer");
   fs::remove_all(scratch);
   return 0;
 }

@@ -5,10 +5,12 @@
 #include <optional>
 #include <system_error>
 
+#include "limber/base/portable_math.h"
 #include "limber/clip/input_file.h"
 #include "limber/clip/output_file.h"
 #include "limber/stream/build_stream.h"
 #include "tool/clip_argument.h"
+#include "tool/four_face.h"
 #include "tool/frame_bytes.h"
 #include "tool/output_argument.h"
 #include "tool/progress.h"
@@ -24,10 +26,15 @@ struct Arguments {
   ClipArgument clip;
   OutputArgument output;
   BuildStreamOptions options;
+  bool is_four_face = false;
+  std::optional<double> crease_degrees;
   bool dry_run = false;
 };
 
 void check_arguments(const Arguments& arguments, const Console& console) {
+  if (arguments.is_four_face && (!arguments.options.hierarchy.level_sizes.empty() || arguments.dry_run))
+    throw UsageError("--levels and --dry-run are for --structure hierarchy");
+  if (arguments.crease_degrees && !arguments.is_four_face) throw UsageError("--creases needs --structure four-face");
   const std::vector<Index>& sizes = arguments.options.hierarchy.level_sizes;
   if (std::adjacent_find(sizes.begin(), sizes.end(), std::less_equal<>()) != sizes.end())
     throw UsageError("--levels must get smaller from one to the next, as in 3200,800");
@@ -148,6 +155,18 @@ Result<Exit> say_what_would_be_done(const Arguments& arguments, ClipReader& clip
   return Exit::kDone;
 }
 
+// Those that both kinds of files have in common.
+BuildFourKOptions four_face_options(const Arguments& arguments, const Console& console) {
+  BuildFourKOptions options;
+  options.structure.threads = console.conventions.threads;
+  options.structure.quadrics = arguments.options.hierarchy.contract.quadrics;
+  options.encoder.tolerance = arguments.options.encoder.tolerance;
+  options.encoder.lossless = arguments.options.encoder.lossless;
+  options.base_frames = arguments.options.base_frames;
+  if (arguments.crease_degrees) options.crease_cosine = portable_cos(*arguments.crease_degrees * (kPi / 180));
+  return options;
+}
+
 Result<Exit> build(Arguments arguments, Console& console) {
   check_arguments(arguments, console);
   auto clip = open_any_clip(arguments.clip);
@@ -166,6 +185,15 @@ Result<Exit> build(Arguments arguments, Console& console) {
   }
   // Here, so that an output that is in the way is found out, too.
   if (arguments.dry_run) return say_what_would_be_done(arguments, **clip, console);
+  if (arguments.is_four_face) {
+    const Result<void> made =
+        build_four_face(**clip, four_face_options(arguments, console), sink, arguments.output.path, console);
+    if (!made && made.error().code == ErrorCode::kCancelled) return interruption();
+    if (!made) return made.error().where.empty() ? in_file(arguments.clip.specification, made.error()) : made.error();
+    if (!file) return Exit::kDone;
+    if (Result<void> committed = file->commit(); !committed) return committed.error();
+    return Exit::kDone;
+  }
   arguments.options.threads = console.conventions.threads;
   const Result<BuildReport> report = build_with_progress(**clip, arguments.options, sink, console);
   if (!report && report.error().code == ErrorCode::kCancelled) return interruption();
@@ -224,6 +252,17 @@ Action declare_build(CLI::App& app) {
   declare_clip(app, arguments->clip);
   declare_output(app, arguments->output, "the stream: out.limber, or - for standard output");
   app.add_flag("--dry-run", arguments->dry_run, "look at the first frame, say what would be done, and write nothing");
+  static const std::map<std::string, bool> kStructures = {{"hierarchy", false}, {"four-face", true}};
+  app.add_option(
+         "--structure", arguments->is_four_face,
+         "hierarchy: levels that follow the clip; four-face: one structure of local operations, whose meshes may "
+         "be finer in some places than in others (hierarchy)")
+      ->transform(CLI::CheckedTransformer(kStructures, CLI::ignore_case).description(""))
+      ->type_name("hierarchy|four-face");
+  app.add_option("--creases", arguments->crease_degrees,
+                 "four-face: keep edges as lines where the normals beside them turn by more than so many degrees")
+      ->check(in_range(0, 180))
+      ->type_name("DEG");
   declare_levels(app, arguments->options);
   declare_recluster(app, arguments->options.recluster, "OPTIONS");
   declare_encoding(app, arguments->options.encoder);

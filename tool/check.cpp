@@ -20,8 +20,10 @@
 
 #include "limber/hierarchy/validate.h"
 #include "limber/stream/chunk.h"
+#include "limber/stream/four_k_decoder.h"
 #include "limber/view/player.h"
 #include "tool/clip_argument.h"
+#include "tool/four_face.h"
 #include "tool/frames_argument.h"
 #include "tool/progress.h"
 #include "tool/ranges.h"
@@ -250,6 +252,11 @@ Result<Exit> check(const Arguments& arguments, Console& console) {
     throw UsageError("--mesh, --frames, --first and --last are those of the clip: they need --against");
   const Result<StreamFile> file = StreamFile::open(arguments.file);
   if (!file) return file.error();
+  if (is_four_face_file(file->bytes())) {
+    if (!arguments.against.specification.empty())
+      throw UsageError("--against is for streams; a four-face file has numbers of its own for the vertices");
+    return check_four_face(*file, console);
+  }
   std::unique_ptr<ClipReader> clip;
   if (!arguments.against.specification.empty()) {
     auto opened = open_any_clip(arguments.against);

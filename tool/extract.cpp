@@ -2,10 +2,12 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "eval/four_face_levels.h"
 #include "eval/stream_levels.h"
 #include "limber/clip/frame_files.h"
 #include "limber/clip/mesh_sequence_writer.h"
 #include "limber/clip/numbered_name.h"
+#include "tool/four_face.h"
 #include "tool/frames_argument.h"
 #include "tool/level_argument.h"
 #include "tool/open_source.h"
@@ -164,6 +166,11 @@ Result<Exit> extract_verb(Arguments arguments, Console& console) {
   check_usage(arguments);
   ClipOptions& options = arguments.stream.options;
   if (arguments.frame) options.first = options.last = arguments.frame;
+  if (eval::is_four_face_file(arguments.stream.specification)) {
+    return extract_four_face({arguments.stream, arguments.level, arguments.view, arguments.output, arguments.picture},
+                             console);
+  }
+  if (arguments.view.curvature) throw UsageError("--curvature is for four-face files (build --structure four-face)");
   auto opened = eval::StreamLevels::open(arguments.stream.specification);
   if (!opened) return opened.error();
   eval::StreamLevels& levels = **opened;
@@ -212,6 +219,7 @@ Action declare_extract(CLI::App& app) {
   declare_frames(app, arguments->stream.options);
   declare_level(app, arguments->level);
   declare_looking(app, arguments->view);
+  declare_curvature(app, arguments->view);
   declare_mesh_output(app, arguments->output,
                       "lod.obj (or .ply, .off), 'lod/%04d.obj' for several frames, - for standard output, or a "
                       "picture, lod.png; without it, only the sizes are said");

@@ -5,6 +5,8 @@
 
 #include "limber/stream/build_stream.h"
 #include "limber/stream/decoder.h"
+#include "limber/stream/four_k_decoder.h"
+#include "tool/four_face.h"
 #include "tool/frame_bytes.h"
 #include "tool/progress.h"
 #include "tool/stream_file.h"
@@ -176,6 +178,7 @@ Json to_json(const Decoder& decoder, const StreamFile& file, const std::vector<F
 Result<Exit> info(const Arguments& arguments, Console& console) {
   const Result<StreamFile> file = StreamFile::open(arguments.file);
   if (!file) return file.error();
+  if (is_four_face_file(file->bytes())) return info_four_face(*file, console);
   Result<Decoder> decoder = open_decoder(*file);
   if (!decoder) return decoder.error();
   const Result<std::vector<FrameRow>> rows = read_frames(*decoder, *file, console);

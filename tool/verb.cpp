@@ -8,7 +8,8 @@ constexpr Verb kVerbs[] = {
     {"build", "Turn a clip into a stream of all its levels of detail",
      "limber build 'horse/%04d.obj' -o horse.limber\n"
      "limber build horse.pc2 --mesh horse.obj --levels 3200,800 -o horse.limber\n"
-     "limber build 'sample:gallop?vertices=5000&frames=24' --lossless -o gallop.limber\n",
+     "limber build 'sample:gallop?vertices=5000&frames=24' --lossless -o gallop.limber\n"
+     "limber build bunny.obj --structure four-face -o bunny.limber\n",
      declare_build},
     {"info", "Say what is in a stream",
      "limber info horse.limber\n"
@@ -18,6 +19,7 @@ constexpr Verb kVerbs[] = {
      "limber extract horse.limber --frame 12 --vertices 800 -o horse12.ply\n"
      "limber extract horse.limber --triangles 2000 -o 'lod/%04d.obj'\n"
      "limber extract horse.limber --frame 12 --error 0.1 --wireframe --view side -o horse12.png\n"
+     "limber extract bunny.limber --eye 0,0,9 --target 0,0,0 --pixels 2 -o bunny.ply\n"
      "limber extract horse.limber --frame 12 --vertices 800 --side-by-side --error-colors -o horse12.png\n",
      declare_extract},
     {"simplify", "Simplify a clip or mesh by any method, and measure the result",

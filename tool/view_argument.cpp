@@ -94,6 +94,13 @@ void declare_looking(CLI::App& app, ViewArgument& argument) {
            });
 }
 
+void declare_curvature(CLI::App& app, ViewArgument& argument) {
+  app.add_option("--curvature", argument.curvature, "as coarse as bends of so many degrees allow; four-face files only")
+      ->check(in_range(0, 180))
+      ->type_name("DEG")
+      ->group(kGroup);
+}
+
 void declare_eye_picture(CLI::App& app, ViewArgument& argument) {
   add_text(app, "--up", "what points up in the eye's picture (0,1,0)", "X,Y,Z", "no direction; three numbers",
            [&](const std::string& text) { return parse_point(text, argument.up); });

@@ -21,11 +21,15 @@ struct ViewArgument {
   float silhouettes = 1, facing_away = 1;
   std::optional<Focus> focus;
   std::optional<Along> along;
+  std::optional<double> curvature;  // degrees; of four-face files
 };
 
 // --eye, --target, --fov, --pixels, --estimate, --silhouettes, --facing-away, --focus and --along, in a group of their
 // own. `argument` must outlive the parsing.
 void declare_looking(CLI::App& app, ViewArgument& argument);
+
+// --curvature.
+void declare_curvature(CLI::App& app, ViewArgument& argument);
 
 // --up and --size too, for verbs that have no pictures, whose options they are otherwise.
 void declare_eye_picture(CLI::App& app, ViewArgument& argument);

@@ -14,6 +14,7 @@ std::unique_ptr<Method> make_improved(const MethodOptions& options);
 std::unique_ptr<Method> make_first_frame(const MethodOptions& options);
 std::unique_ptr<Method> make_rest_pose(const MethodOptions& options);
 std::unique_ptr<Method> make_four_face(const MethodOptions& options);
+std::unique_ptr<Method> make_four_face_front(const MethodOptions& options);
 std::unique_ptr<Method> make_dsd(const MethodOptions& options);
 std::unique_ptr<Method> make_average(const MethodOptions& options);
 std::unique_ptr<Method> make_pose_independent(const MethodOptions& options);

@@ -19,6 +19,8 @@ constexpr MethodInfo kOurs[] = {
      make_rest_pose},
     {"four-face", "vertices of the first frame's simplification by four-face clusters (Velho)", false, Sees::kFirst,
      make_four_face},
+    {"four-face-front", "one structure of four-face clusters for all frames, a front of it in each (Velho, on clips)",
+     false, Sees::kMany, make_four_face_front},
     {"dsd", "one clustering under the sum of all frames' errors (Mohr & Gleicher)", false, Sees::kMany, make_dsd},
     {"average", "one clustering under the largest of all frames' errors", false, Sees::kMany, make_average},
     {"pose-independent", "the first frame contracted under its quadrics in all frames (DeCoro & Rusinkiewicz)", false,

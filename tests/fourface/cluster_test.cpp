@@ -12,16 +12,12 @@ namespace limber {
 namespace {
 
 struct Prepared {
-  Prepared(const Mesh& mesh, const std::vector<Vec3d>& points)
-      : faces(mesh), positions(points), quadrics(points.size()) {
-    VertexQuadrics(mesh, QuadricOptions{}).compute(positions, quadrics);
-    for (std::size_t v = 0; v < points.size(); ++v) own_errors.push_back(quadrics[v](positions[v]));
-  }
+  Prepared(const Mesh& mesh, const std::vector<Vec3d>& points, std::size_t frame_count = 1)
+      : faces(mesh), errors(mesh, points, frame_count, QuadricOptions{}) {}
   std::optional<ClusterPlan> plan(Index v, const ClusterOptions& options = {}) const {
     Star star;
     ClusterPlan made;
-    if (!faces.gather(v, star) || !plan_cluster({faces, positions, quadrics, own_errors}, star, options, true, made))
-      return std::nullopt;
+    if (!faces.gather(v, star) || !plan_cluster({faces, errors}, star, options, true, made)) return std::nullopt;
     return made;
   }
   Index neighbour(Index v, std::uint8_t place) const {
@@ -31,9 +27,7 @@ struct Prepared {
   }
 
   FaceTable faces;
-  std::vector<Vec3d> positions;
-  std::vector<Quadric> quadrics;
-  std::vector<double> own_errors;
+  VertexErrors errors;
 };
 
 std::vector<Vec3d> hexagon_points() {
@@ -103,6 +97,18 @@ TEST(Cluster, IsNotFoldedOver) {
   ASSERT_TRUE(plan);
   const Prepared prepared(mesh, points);
   EXPECT_EQ(prepared.neighbour(0, plan->kept) + prepared.neighbour(0, plan->opposite), 1u + 3u);
+}
+
+// Flat in the first frame; in the second the centre stands out.
+TEST(Cluster, CostsWhatItDoesInAllFramesTogether) {
+  const std::vector<Vec3d> flat = hexagon_points();
+  std::vector<Vec3d> bent = flat, both;
+  bent[0].z = 0.5;
+  for (std::size_t v = 0; v < flat.size(); ++v) both.push_back(flat[v]), both.push_back(bent[v]);
+  const auto once = Prepared(hexagon(), bent).plan(0), twice = Prepared(hexagon(), both, 2).plan(0);
+  ASSERT_TRUE(once && twice);
+  EXPECT_GE(twice->cost, once->cost);
+  EXPECT_LE(twice->cost, 2 * once->cost);
 }
 
 }  // namespace

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <random>
 #include <string>
 
 #include "limber/clip/clip.h"
 #include "limber/fourface/build_four_k.h"
 #include "limber/fourface/front.h"
+#include "limber/fourface/front_request.h"
 #include "tests/support/data.h"
 
 namespace limber {
@@ -47,6 +50,82 @@ TEST(RealFourK, HoldsWhatCannotBeSimplifiedAsItIs) {
     const FourKMesh mesh = built(folder / name);
     EXPECT_GT(mesh.operation_count(), 0u) << name;
   }
+}
+
+// The share of a mesh's area that faces away from the input's surface around each of its corners.
+struct Facing {
+  Facing(const FourKMesh& mesh, std::span<const Vec3f> points) : positions(points), normals(mesh.vertex_count) {
+    for (Index t = 0; t < mesh.finest_count; ++t)
+      for (const Index corner : mesh.triangles[t]) normals[corner] += area_of(mesh.triangles[t]);
+  }
+  Vec3d area_of(const Triangle& t) const {
+    const auto p = static_cast<Vec3d>(positions[t[0]]);
+    return cross(static_cast<Vec3d>(positions[t[1]]) - p, static_cast<Vec3d>(positions[t[2]]) - p);
+  }
+  double turned_share(std::span<const Triangle> triangles) const {
+    double turned = 0, all = 0;
+    for (const Triangle& t : triangles) {
+      const Vec3d area = area_of(t);
+      all += length(area);
+      if (dot(area, normals[t[0]]) < 0 && dot(area, normals[t[1]]) < 0 && dot(area, normals[t[2]]) < 0)
+        turned += length(area);
+    }
+    return all > 0 ? turned / all : 0;
+  }
+
+  std::span<const Vec3f> positions;
+  std::vector<Vec3d> normals;
+};
+
+struct RealMesh {
+  explicit RealMesh(const std::filesystem::path& path) : mesh(built(path)) {
+    auto clip = open_clip(path.string(), {});
+    positions.resize((*clip)->mesh().vertex_count);
+    EXPECT_TRUE((*clip)->read(positions));
+  }
+  FourKMesh mesh;
+  std::vector<Vec3f> positions;
+};
+
+// No triangle of any front faces away from the surface around all of its corners, but for those that do on the way from
+// the finest mesh to the coarsest, and in the input.
+void expect_fronts_that_do_not_fold(const RealMesh& real, int count) {
+  const FourKMesh& mesh = real.mesh;
+  const Facing facing(mesh, real.positions);
+  double allowed = 0;
+  for (Index level = 0; level <= mesh.level_count(); ++level) {
+    const Index end = level == 0 ? 0 : mesh.level_begin[level];
+    allowed = std::max(allowed, facing.turned_share(triangles_after(mesh, end)));
+  }
+  const float largest = *std::max_element(mesh.error.begin(), mesh.error.end());
+  std::mt19937 random(5);
+  Front front(mesh);
+  std::vector<Triangle> corners;
+  FrontRequest request;
+  for (int i = 0; i < count; ++i) {
+    if (i % 10 == 0) {
+      const auto at = static_cast<Vec3d>(real.positions[random() % real.positions.size()]);
+      request = {};
+      const double error = static_cast<double>(largest) * std::pow(2.0, -static_cast<double>(random() % 14));
+      if (i % 30 == 0) request.error = error;
+      if (i % 30 == 10)
+        request.focus = Ball{at, error * static_cast<double>(1 + random() % 200)}, request.error = error / 8;
+      if (i % 30 == 20) request.triangles = 20 + static_cast<Index>(random() % mesh.finest_count);
+    } else if (request.error) {
+      *request.error *= 1.05;
+    } else {
+      *request.triangles -= *request.triangles / 50;
+    }
+    move_front(front, mesh, real.positions, request);
+    front.list(corners);
+    ASSERT_LE(facing.turned_share(corners), 1.5 * allowed + 1e-3) << i;
+  }
+}
+
+TEST(RealFourK, FoldsNothingOverIn1000Fronts) {
+  LIMBER_DATA_SET(folder, "static");
+  for (const char* const name : {"stanford-bunny.obj", "cow.obj", "mountain.obj", "fandisk.obj", "lucy100k.ply"})
+    expect_fronts_that_do_not_fold(RealMesh(folder / name), 200);
 }
 
 }  // namespace

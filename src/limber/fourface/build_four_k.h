@@ -21,6 +21,12 @@ struct FourKOptions {
   double level_share = 0.7;
   // How many clusters may depend on each other in a row, per level on average, at least 1.
   double clusters_per_level = 2;
+  // A cluster waits whose faces depend on more operations in a row than so many per level, on average; 0: never. 1.6
+  // lowers the graph by a tenth to a quarter, for a fifth to a third more error (docs/design.md).
+  double operations_per_level = 0;
+  // Of several frames: ClusterOptions::fold_over_cosine is at most this. A triangle that turns in one frame of many
+  // must not keep all the others from what is best for them.
+  double many_fold_over_cosine = 0.2;
   // Where it ends: at so many vertices, triangles or levels.
   Index vertices = 0;
   Index triangles = 0;
@@ -38,6 +44,11 @@ struct FourKTags {
 
 // positions: [mesh.vertex_count], finite. go_on: as in contract.h; where it gives false the result is incomplete.
 FourKMesh build_four_k(const Mesh& mesh, std::span<const Vec3f> positions, const FourKOptions& options,
+                       const FourKTags& tags = {}, GoOnFunction go_on = {});
+
+// The same for all frames together: costs are their sums. frames: at least one. The errors are of all frames, the
+// spheres of the first: for those of a frame see measure_frame().
+FourKMesh build_four_k(const Mesh& mesh, std::span<const std::span<const Vec3f>> frames, const FourKOptions& options,
                        const FourKTags& tags = {}, GoOnFunction go_on = {});
 
 }  // namespace limber

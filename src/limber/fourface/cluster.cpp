@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
+#include <vector>
 
 namespace limber {
 namespace {
@@ -68,7 +68,13 @@ class Planner {
 
  private:
   bool has_line() const { return line_[0] != kNoPlace; }
-  Vec3d at(Place i) const { return offset_[i]; }
+  // The sum of cost(offsets of a frame's neighbours from v) over all frames; kNever where it is that in one.
+  template <class Cost>
+  double in_all_frames(const Cost& cost) const {
+    double sum = cost(offset_);
+    for (std::size_t f = 1; f < frame_count_ && sum < kNever; ++f) sum += cost(offset_ + f * Star::kMostNeighbours);
+    return sum;
+  }
   bool is_reduced(const Ring& ring) const { return ring.left[0] <= needed_[0] && ring.left[1] <= needed_[1]; }
   bool joined(Place a, Place b) const { return input_.faces.has_edge(star_.ring[a], star_.ring[b]); }
 
@@ -77,21 +83,31 @@ class Planner {
   void price(Ring& ring, Place r) const {
     ring.swap_cost[r] = side_[r] == kOnLine ? kNever : swap_cost(r, ring.previous[r], ring.next[r]);
   }
-  double swap_cost(Place r, Place s, Place t) const;
+  double swap_cost(Place r, Place s, Place t) const {
+    return in_all_frames([&](const Offset* at) { return swap_cost(at[r], at[s], at[t]); });
+  }
+  double swap_cost(const Vec3d& pr, const Vec3d& ps, const Vec3d& pt) const;
   void find_candidates();
   bool find_best(bool check_edges, ClusterPlan& best);
   void copy_ring(Ring& ring) const;
   double reduce(Ring& ring, Place kept, bool check_edges, ClusterPlan& plan) const;
   double finish(const Ring& ring, Place kept, bool check_edges, ClusterPlan& plan) const;
   double finish_three(const Ring& ring, Place u) const;
-  double triangle_cost(Place u, Place s, Place w) const;
+  double triangle_cost(Place u, Place s, Place w) const {
+    return in_all_frames([&](const Offset* at) { return triangle_cost(at[u], at[s], at[w]); });
+  }
+  double triangle_cost(const Vec3d& pu, const Vec3d& ps, const Vec3d& pw) const;
+  double fold_over_of_three(const Vec3d& pu, const Vec3d& ps, const Vec3d& pt) const;
 
   const ClusterInput& input_;
   const Star& star_;
   const ClusterOptions& options_;
 
-  PerNeighbour<Offset> offset_;                    // of the neighbours from v
-  PerNeighbour<std::uint8_t> side_;                // 0, 1 or kOnLine: never swapped
+  std::size_t frame_count_ = input_.errors.frame_count();
+  PerNeighbour<Offset> first_offsets_;  // where there is one frame
+  std::vector<Offset> offsets_;         // [kMostNeighbours x frame_count_] where there are more
+  const Offset* offset_ = nullptr;      // of the neighbours from v: those of the first frame, of the next ...
+  PerNeighbour<std::uint8_t> side_;     // 0, 1 or kOnLine: never swapped
   std::array<Place, 2> line_{kNoPlace, kNoPlace};  // the neighbours on the line through v
   std::array<std::uint32_t, 2> needed_{};          // neighbours of each side that stay
   Ring whole_;
@@ -131,10 +147,18 @@ bool Planner::find_sides() {
 }
 
 void Planner::start_ring() {
-  const Vec3d center = input_.positions[star_.center];
+  const std::span<const Vec3d> positions = input_.errors.positions();
+  if (frame_count_ > 1) offsets_.resize(Star::kMostNeighbours * frame_count_);
+  Offset* const offsets = frame_count_ > 1 ? offsets_.data() : first_offsets_.data();
+  offset_ = offsets;
+  for (std::size_t f = 0; f < frame_count_; ++f) {
+    const Vec3d center = positions[star_.center * frame_count_ + f];
+    for (std::uint32_t i = 0; i < star_.count; ++i) {
+      const Vec3d offset = positions[star_.ring[i] * frame_count_ + f] - center;
+      offsets[f * Star::kMostNeighbours + i] = {offset.x, offset.y, offset.z};
+    }
+  }
   for (std::uint32_t i = 0; i < star_.count; ++i) {
-    const Vec3d offset = input_.positions[star_.ring[i]] - center;
-    offset_[i] = {offset.x, offset.y, offset.z};
     whole_.previous[i] = static_cast<Place>(i == 0 ? star_.count - 1 : i - 1);
     whole_.next[i] = static_cast<Place>(i + 1 == star_.count ? 0 : i + 1);
   }
@@ -143,8 +167,7 @@ void Planner::start_ring() {
 }
 
 // What swapping the edge to the neighbour at r costs, between the neighbours at s and t.
-double Planner::swap_cost(Place r, Place s, Place t) const {
-  const Vec3d pr = offset_[r], ps = offset_[s], pt = offset_[t];
+double Planner::swap_cost(const Vec3d& pr, const Vec3d& ps, const Vec3d& pt) const {
   const Vec3d inner = cross(ps, pt);
   const Vec3d both = cross(ps, pr) + cross(pr, pt);
   const Vec3d released = both - inner;
@@ -160,11 +183,9 @@ double Planner::swap_cost(Place r, Place s, Place t) const {
 }
 
 void Planner::find_candidates() {
-  const Quadric& own = input_.quadrics[star_.center];
   const auto add = [&](Place place) {
-    const Index u = star_.ring[place];
-    const Candidate added{options_.removal_weight * std::max(own(input_.positions[u]) + input_.own_errors[u], 0.0),
-                          place};
+    const double removal = input_.errors.removal_cost(star_.center, star_.ring[place]);
+    const Candidate added{options_.removal_weight * removal, place};
     if (candidate_count_ < kMostKept)
       ++candidate_count_;
     else if (added.cost >= candidates_[kMostKept - 1].cost)
@@ -258,18 +279,20 @@ double Planner::finish_three(const Ring& ring, Place u) const {
     if (across != kNone && input_.faces.origin(FaceTable::previous(across)) == star_.ring[(i + 2) % 3]) return kNever;
   }
   const Place s = ring.next[u], t = ring.next[s];
-  const Vec3d after = cross(at(s) - at(u), at(t) - at(u));
+  return in_all_frames([&](const Offset* at) { return fold_over_of_three(at[u], at[s], at[t]); });
+}
+
+// 0, or kNever where one of the three triangles around v turns too far.
+double Planner::fold_over_of_three(const Vec3d& pu, const Vec3d& ps, const Vec3d& pt) const {
+  const Vec3d after = cross(ps - pu, pt - pu);
   const double least = options_.fold_over_cosine * length(after);
-  for (const auto& [a, b] : {std::pair{u, s}, std::pair{s, t}, std::pair{t, u}}) {
-    const Vec3d before = cross(at(a), at(b));
+  for (const Vec3d& before : {cross(pu, ps), cross(ps, pt), cross(pt, pu)})
     if (!(dot(before, after) > least * length(before))) return kNever;
-  }
   return 0;
 }
 
 // Of the triangle (u, s, w) in the place of (v, u, s) and (v, s, w); kNever where it folds over.
-double Planner::triangle_cost(Place u, Place s, Place w) const {
-  const Vec3d pu = at(u), ps = at(s), pw = at(w);
+double Planner::triangle_cost(const Vec3d& pu, const Vec3d& ps, const Vec3d& pw) const {
   const Vec3d before = cross(pu, ps) + cross(ps, pw);
   const Vec3d after = before + cross(pw, pu);
   const double squared = squared_length(before), area = length(after);

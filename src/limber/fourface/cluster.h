@@ -5,11 +5,9 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 
-#include "limber/base/quadric.h"
-#include "limber/base/vec.h"
 #include "limber/fourface/face_table.h"
+#include "limber/fourface/vertex_errors.h"
 
 namespace limber {
 
@@ -20,12 +18,10 @@ struct ClusterOptions {
   double fold_over_cosine = 0.5;  // a new triangle may turn from those that it replaces by an angle with this cosine
 };
 
-// All that a plan looks at beside the faces; the arrays are by vertex.
+// All that a plan looks at; the costs are sums over all frames, and none may fold over.
 struct ClusterInput {
   const FaceTable& faces;
-  std::span<const Vec3d> positions;
-  std::span<const Quadric> quadrics;
-  std::span<const double> own_errors;  // of each quadric at its vertex
+  const VertexErrors& errors;
 };
 
 struct ClusterPlan {

@@ -5,9 +5,17 @@
 
 namespace limber {
 
-Front::Front(const FourKMesh& mesh) : mesh_(&mesh), place_(mesh.triangle_count(), kNone) {
+Front::Front(const FourKMesh& mesh)
+    : mesh_(&mesh), place_(mesh.triangle_count(), kNone), applied_(mesh.operation_count(), 1), remembered_(applied_) {
   for (Index t = 0; t < mesh.triangle_count(); ++t)
     if (mesh.destroyer[t] == kNone) add(t);
+  std::vector<bool> used(mesh.vertex_count, false);
+  for (const Index t : alive_) {
+    for (const Index corner : mesh.triangles[t]) {
+      if (!used[corner]) ++vertex_count_;
+      used[corner] = true;
+    }
+  }
 }
 
 void Front::list(std::vector<Triangle>& corners) const {
@@ -19,6 +27,8 @@ void Front::apply(Index operation) {
   assert(can_apply(operation));
   for (const Index t : mesh_->destroyed_by(operation)) remove(t);
   for (Index t = mesh_->created_begin[operation]; t < mesh_->created_begin[operation + 1]; ++t) add(t);
+  applied_[operation] = 1;
+  if (mesh_->is_removal(operation)) --vertex_count_;
   ++changes_;
 }
 
@@ -26,6 +36,8 @@ void Front::reverse(Index operation) {
   assert(can_reverse(operation));
   for (Index t = mesh_->created_begin[operation]; t < mesh_->created_begin[operation + 1]; ++t) remove(t);
   for (const Index t : mesh_->destroyed_by(operation)) add(t);
+  applied_[operation] = 0;
+  if (mesh_->is_removal(operation)) ++vertex_count_;
   ++changes_;
 }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
@@ -17,6 +18,9 @@
 #include "limber/fourface/four_k_mesh.h"
 
 namespace limber {
+
+// What a budget counts.
+enum class FrontBudget { kTriangles, kVertices };
 
 class Front {
  public:
@@ -29,10 +33,20 @@ class Front {
   void move(const IsCoarse& is_coarse);
 
   // Applies operations in the order of value(operation), least first, equal ones in their own order, until at most so
-  // many triangles are left: no fewer of them, and no more, whatever the front was before. Precondition: value is
-  // monotone: not less than that of any operation that this one depends on.
+  // many triangles, or vertices, are left: no fewer operations, and no more, whatever the front was before.
+  // Precondition: value is monotone: not less than that of any operation that this one depends on.
   template <class Value>
-  void move_to_budget(const Value& value, Index triangles);
+  void move_to_budget(const Value& value, Index budget, FrontBudget unit = FrontBudget::kTriangles);
+
+  // Whether an operation was applied when remember() was called last; that of an operation that this one depends on is
+  // never false where this one's is true, whatever has moved since.
+  void remember() { remembered_ = applied_; }
+  bool was_applied(Index operation) const { return remembered_[operation] != 0; }
+
+  bool is_applied(Index operation) const { return applied_[operation] != 0; }
+
+  // Of the front's triangles.
+  Index vertex_count() const { return vertex_count_; }
 
   // Numbers of triangles of the 4-K mesh, in no particular order.
   std::span<const Index> triangles() const { return alive_; }
@@ -64,7 +78,11 @@ class Front {
   void reverse(Index operation);
   void add(Index triangle);
   void remove(Index triangle);
-  Index gain(Index operation) const {
+  Index size(FrontBudget unit) const {
+    return unit == FrontBudget::kVertices ? vertex_count_ : static_cast<Index>(alive_.size());
+  }
+  Index gain(Index operation, FrontBudget unit) const {
+    if (unit == FrontBudget::kVertices) return mesh_->is_removal(operation) ? 1 : 0;
     return static_cast<Index>(mesh_->destroyed_by(operation).size()) - mesh_->created_count(operation);
   }
   // Takes what is out of date from the front of a heap; whether anything is left.
@@ -74,8 +92,11 @@ class Front {
   const FourKMesh* mesh_;
   std::vector<Index> alive_;                // [triangles of the front]
   std::vector<Index> place_;                // [mesh.triangle_count()]: in alive_; kNone for those that are not there
+  std::vector<std::uint8_t> applied_;       // [mesh.operation_count()]
+  std::vector<std::uint8_t> remembered_;    // [mesh.operation_count()]: as it was then
   std::vector<Index> visit_;                // scratch
   std::vector<Key> to_apply_, to_reverse_;  // scratch: heaps
+  Index vertex_count_ = 0;
   Index changes_ = 0;
 };
 
@@ -121,7 +142,7 @@ bool Front::settle(std::vector<Key>& heap, const Less& less, const IsCurrent& is
 }
 
 template <class Value>
-void Front::move_to_budget(const Value& value, Index triangles) {
+void Front::move_to_budget(const Value& value, Index budget, FrontBudget unit) {
   changes_ = 0;
   const auto first_last = [](const Key& a, const Key& b) { return a > b; };  // the least key at the front of a heap
   const auto last_last = [](const Key& a, const Key& b) { return a < b; };
@@ -145,7 +166,7 @@ void Front::move_to_budget(const Value& value, Index triangles) {
   for (;;) {
     const bool coarser = settle(to_apply_, first_last, [this](Index o) { return can_apply(o); });
     const bool finer = settle(to_reverse_, last_last, [this](Index o) { return can_reverse(o); });
-    if (alive_.size() > triangles) {
+    if (size(unit) > budget) {
       if (!coarser) return;
       const Index o = to_apply_.front().second;
       apply(o);
@@ -156,7 +177,7 @@ void Front::move_to_budget(const Value& value, Index triangles) {
     if (!finer) return;
     const bool disordered = coarser && to_apply_.front() < to_reverse_.front();
     const Index o = to_reverse_.front().second;
-    if (!disordered && alive_.size() + gain(o) > triangles) return;
+    if (!disordered && size(unit) + gain(o, unit) > budget) return;
     reverse(o);
     offer_to_apply(o);
     for (const Index d : mesh_->destroyed_by(o)) offer_to_reverse(mesh_->creator[d]);

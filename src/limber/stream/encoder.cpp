@@ -10,37 +10,12 @@
 #include "limber/stream/chunk.h"
 #include "limber/stream/coding_state.h"
 #include "limber/stream/header.h"
+#include "limber/stream/lattice.h"
 #include "limber/stream/mesh_coding.h"
 #include "limber/stream/motion_factors.h"
 
 namespace limber {
 namespace {
-
-// Sets step and origin so that lattice points are floats: step is a small number times a power of two, origin a
-// multiple of that power, and floats of up to eight times the size met in the first frame are finer than it.
-// Then the distance to the nearest lattice point is all of the error. Without such a step the stream is lossless.
-void choose_lattice(StreamHeader& header, const Box& box) {
-  constexpr int kFloatBits = 24, kLeastExponent = -149, kMostMultiple = 1 << 20;
-  const double widest = 2.0 * header.tolerance / std::sqrt(3.0) * (1.0 - 1e-9);
-  const double size = std::max({std::fabs(box.low.x), std::fabs(box.low.y), std::fabs(box.low.z), std::fabs(box.high.x),
-                                std::fabs(box.high.y), std::fabs(box.high.z)});
-  if (!(widest > 0.0) || !(size > 0.0)) return;
-  int exponent = std::max(std::ilogb(8.0 * size) + 1 - kFloatBits, kLeastExponent);
-  double multiple = std::floor(std::ldexp(widest, -exponent));
-  while (multiple > kMostMultiple) multiple = std::floor(std::ldexp(widest, -++exponent));
-  if (multiple < 1.0) {
-    exponent = std::ilogb(widest);
-    multiple = 1.0;
-  }
-  if (exponent < kLeastExponent) return;
-  const double unit = std::ldexp(1.0, exponent);
-  const auto to_unit = [unit](double x) { return std::floor(x / unit + 0.5) * unit; };
-  const Vec3d center = box.center();
-  const double step = multiple * unit;
-  if (size + step * 2147483648.0 > std::numeric_limits<float>::max() / 2) return;
-  header.step = step;
-  header.origin = {to_unit(center.x), to_unit(center.y), to_unit(center.z)};
-}
 
 StreamHeader make_header(const Hierarchy& base, std::span<const Vec3f> first_positions, const EncoderOptions& options) {
   Box box;
@@ -55,7 +30,9 @@ StreamHeader make_header(const Hierarchy& base, std::span<const Vec3f> first_pos
   header.level_begin = base.level_begin;
   if (!options.lossless) {
     header.tolerance = options.tolerance * header.diagonal;
-    choose_lattice(header, box);
+    const LatticeChoice lattice = choose_lattice(header.tolerance, box);
+    header.origin = lattice.origin;
+    header.step = lattice.step;
     if (header.step == 0.0) header.tolerance = 0.0;
   }
   return header;

@@ -27,7 +27,8 @@ inline float float_from_ordered(std::int32_t ordered) {
 class Quantizer {
  public:
   Quantizer() = default;
-  explicit Quantizer(const StreamHeader& header) : origin_(header.origin), step_(header.step) {}
+  explicit Quantizer(const StreamHeader& header) : Quantizer(header.origin, header.step) {}
+  Quantizer(const Vec3d& origin, double step) : origin_(origin), step_(step) {}
 
   bool lossless() const { return step_ == 0.0; }
 

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "limber/fourface/vertex_errors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace limber {
+
+VertexErrors::VertexErrors(const Mesh& mesh, std::vector<Vec3d> positions, std::size_t frame_count,
+                           const QuadricOptions& options)
+    : options_(options),
+      frame_count_(frame_count),
+      positions_(std::move(positions)),
+      quadrics_(positions_.size()),
+      own_error_(mesh.vertex_count) {
+  VertexQuadrics finest(mesh, options_);
+  if (frame_count_ == 1) {
+    finest.compute(positions_, quadrics_);
+  } else {
+    std::vector<Vec3d> of_frame(mesh.vertex_count);
+    std::vector<Quadric> quadrics(mesh.vertex_count);
+    for (std::size_t f = 0; f < frame_count_; ++f) {
+      for (Index v = 0; v < mesh.vertex_count; ++v) of_frame[v] = at(v, f);
+      finest.compute(of_frame, quadrics);
+      for (Index v = 0; v < mesh.vertex_count; ++v) quadrics_[v * frame_count_ + f] = quadrics[v];
+    }
+  }
+  for (Index v = 0; v < mesh.vertex_count; ++v) sum_own(v);
+}
+
+void VertexErrors::sum_own(Index v) {
+  double sum = 0;
+  for (std::size_t f = 0; f < frame_count_; ++f) sum += quadrics_[v * frame_count_ + f](at(v, f));
+  own_error_[v] = sum;
+}
+
+void VertexErrors::hold_line(const FaceTable& faces, Index half_edge) {
+  const Index a = faces.origin(half_edge), b = faces.target(half_edge);
+  for (const Index h : {half_edge, faces.twin(half_edge)}) {
+    const Index beside = faces.origin(FaceTable::previous(h));
+    for (std::size_t f = 0; f < frame_count_; ++f) {
+      const Vec3d from = at(faces.origin(h), f), along = at(faces.target(h), f) - from;
+      const Vec3d across = cross(along, cross(along, at(beside, f) - from));
+      const double size = length(across);
+      if (!(size > 0)) continue;
+      const double weight = 0.5 * options_.border_weight * squared_length(along);
+      const Quadric plane = Quadric::plane(across * (1 / size), from, weight);
+      quadrics_[a * frame_count_ + f] += plane;
+      quadrics_[b * frame_count_ + f] += plane;
+    }
+  }
+  sum_own(a), sum_own(b);
+}
+
+double VertexErrors::least_removal(const FaceTable& faces, Index v) const {
+  double least = std::numeric_limits<double>::infinity();
+  const Index start = faces.outgoing(v);
+  if (start == kNone) return least;
+  const auto look_at = [&](Index u) { least = std::min(least, removal_cost(v, u)); };
+  Index h = start;
+  do {
+    look_at(faces.target(h));
+    const Index back = FaceTable::previous(h);
+    h = faces.twin(back);
+    if (h == kNone) look_at(faces.origin(back));
+  } while (h != start && h != kNone);
+  if (h == kNone) {
+    for (h = faces.twin(start); h != kNone; h = faces.twin(h)) {
+      h = FaceTable::next(h);
+      look_at(faces.target(h));
+    }
+  }
+  return least;
+}
+
+double VertexErrors::swap_error(Index v, Index r, Index s, Index t) const {
+  double largest = 0;
+  for (std::size_t f = 0; f < frame_count_; ++f) {
+    const Vec3d across = cross(at(r, f) - at(v, f), at(t, f) - at(s, f));
+    const double size = length(across);
+    if (size > 0) largest = std::max(largest, std::fabs(dot(at(s, f) - at(v, f), across)) / size);
+  }
+  return largest;
+}
+
+double VertexErrors::removal_error(Index v, Index u) const {
+  double sum = 0, weight = 0;
+  for (std::size_t f = 0; f < frame_count_; ++f) {
+    const Quadric& q = quadrics_[v * frame_count_ + f];
+    sum += q(at(u, f));
+    weight += q.trace();
+  }
+  return weight > 0 ? std::sqrt(std::max(sum, 0.0) / weight) : 0;
+}
+
+void VertexErrors::share(Index v, Index u, Index w) {
+  double share = 1;
+  if (u != w) {
+    const double cu = removal_cost(v, u), cw = removal_cost(v, w);
+    share = cu + cw > 0 ? 1 - cu / (cu + cw) : 0.5;
+  }
+  for (std::size_t f = 0; f < frame_count_; ++f) {
+    const Quadric& qv = quadrics_[v * frame_count_ + f];
+    if (u == w) {
+      quadrics_[u * frame_count_ + f] += qv;
+      continue;
+    }
+    Quadric to_u = qv, to_w = qv;
+    to_u *= share, to_w *= 1 - share;
+    quadrics_[u * frame_count_ + f] += to_u;
+    quadrics_[w * frame_count_ + f] += to_w;
+  }
+  sum_own(u);
+  if (u != w) sum_own(w);
+}
+
+}  // namespace limber

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "limber/clip/mesh_file.h"
+#include "tests/tool/run.h"
+
+namespace limber::test {
+namespace {
+
+class FourFaceTool : public ToolTest {
+ protected:
+  void SetUp() override {
+    ToolTest::SetUp();
+    const Ran made = run({"build", "--structure", "four-face", "sample:gallop?vertices=800&frames=6", "-o", file()});
+    ASSERT_EQ(made.exit, tool::Exit::kDone) << made.err;
+  }
+  std::string file() const { return path("gallop.limber"); }
+};
+
+TEST_F(FourFaceTool, BuildsAFileThatIsSound) {
+  EXPECT_EQ(run({"check", file()}).exit, tool::Exit::kDone);
+  const auto info = run({"info", file(), "--json"}).json();
+  EXPECT_EQ(info["frames"], 6);
+  EXPECT_EQ(info["complete"], true);
+  EXPECT_EQ(info["schema"], "limber.info_four_face/1");
+}
+
+TEST_F(FourFaceTool, FindsDamage) {
+  std::string damaged = bytes(file());
+  damaged[damaged.size() / 2] = static_cast<char>(damaged[damaged.size() / 2] ^ 4);
+  write(path("damaged.limber"), damaged);
+  EXPECT_NE(run({"check", path("damaged.limber")}).exit, tool::Exit::kDone);
+  write(path("cut.limber"), bytes(file()).substr(0, damaged.size() - 20));
+  const Ran cut = run({"check", path("cut.limber")});
+  EXPECT_EQ(cut.exit, tool::Exit::kCheckFailed);
+  EXPECT_NE(cut.out.find("whole"), std::string::npos);
+}
+
+TEST_F(FourFaceTool, ExtractsByVerticesTrianglesErrorAndLevel) {
+  const auto count = [&](const std::string& option, const std::string& value, const char* what) {
+    const Ran ran = run({"extract", file(), "--frame", "0", option, value, "--json"});
+    EXPECT_EQ(ran.exit, tool::Exit::kDone) << ran.err;
+    return ran.json()["frames"][0][what].get<int>();
+  };
+  EXPECT_LE(count("--vertices", "100", "vertices"), 100);
+  EXPECT_GE(count("--vertices", "100", "vertices"), 95);
+  EXPECT_LE(count("--triangles", "150", "triangles"), 150);
+  EXPECT_GT(count("--error", "0.1", "triangles"), count("--error", "1", "triangles"));
+  EXPECT_GT(count("--level", "0", "triangles"), count("--level", "3", "triangles"));
+}
+
+TEST_F(FourFaceTool, ExtractsWhatIsSeenOrInFocusFinerThanTheRest) {
+  const auto triangles = [&](std::vector<std::string> options) {
+    std::vector<std::string> all{"extract", file(), "--frame", "0", "--json"};
+    all.insert(all.end(), options.begin(), options.end());
+    const Ran ran = run(all);
+    EXPECT_EQ(ran.exit, tool::Exit::kDone) << ran.err;
+    return ran.json()["frames"][0]["triangles"].get<int>();
+  };
+  const int finest = triangles({"--level", "0"});
+  const int ball = triangles({"--focus", "0,0,0,0.2"});
+  EXPECT_LT(ball, finest);
+  const int near = triangles({"--eye", "0,0,3", "--target", "0,0,0", "--pixels", "2"});
+  const int far = triangles({"--eye", "0,0,30", "--target", "0,0,0", "--pixels", "2"});
+  EXPECT_GT(near, far);
+  EXPECT_LT(triangles({"--eye", "0,0,3", "--target", "0,0,9", "--pixels", "0"}), finest / 4);
+  EXPECT_GT(triangles({"--curvature", "10"}), triangles({"--curvature", "40"}));
+}
+
+TEST_F(FourFaceTool, WritesAMeshForEveryFrame) {
+  const Ran ran = run({"extract", file(), "--vertices", "100", "-o", path("lod-%02d.obj")});
+  ASSERT_EQ(ran.exit, tool::Exit::kDone) << ran.err;
+  for (const char* const name : {"lod-00.obj", "lod-05.obj"}) EXPECT_TRUE(std::filesystem::exists(path(name))) << name;
+}
+
+TEST_F(FourFaceTool, RefusesWhatDoesNotFitTogether) {
+  for (const std::vector<std::string>& options :
+       std::vector<std::vector<std::string>>{{"--eye", "0,0,3"},
+                                             {"--pixels", "2"},
+                                             {"--eye", "0,0,3", "--target", "0,0,3"},
+                                             {"--blend", "2"},
+                                             {"--eye", "0,0,3", "--target", "0,0,0", "--size", "12"},
+                                             {"--focus", "0,0,0,-1"},
+                                             {"--vertices", "9", "--curvature", "9"}}) {
+    std::vector<std::string> all{"extract", file(), "--frame", "0"};
+    all.insert(all.end(), options.begin(), options.end());
+    EXPECT_EQ(run(all).exit, tool::Exit::kUsage) << options.front();
+  }
+  EXPECT_EQ(run({"extract", file(), "--frame", "9"}).exit, tool::Exit::kBadInput);
+  EXPECT_EQ(run({"build", "--structure", "four-face", "--levels", "9", "sample:flag", "-o", path("a.limber")}).exit,
+            tool::Exit::kUsage);
+}
+
+}  // namespace
+}  // namespace limber::test
