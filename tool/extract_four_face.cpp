@@ -61,7 +61,7 @@ eval::FourFaceRequest request_of(const FourFaceExtract& arguments, bool single_f
   return request;
 }
 
-std::string describe(const FourFaceExtract& arguments, const eval::FourFaceRequest& request) {
+std::string describe(const eval::FourFaceRequest& request) {
   std::vector<std::string> parts;
   if (request.front.vertices) parts.push_back(fmt::format("at most {} vertices", *request.front.vertices));
   if (request.front.triangles) parts.push_back(fmt::format("at most {} triangles", *request.front.triangles));
@@ -135,7 +135,7 @@ void report(const FourFaceExtract& arguments, const eval::FourFaceRequest& reque
   const std::string frames = all.size() == 1 ? fmt::format("frame {}", all.front().number)
                                              : fmt::format("frames {} to {}", all.front().number, all.back().number);
   console.print("{}{}, asked for {}: {} vertices, {} triangles, errors of operations up to {:.2g} %\n",
-                arguments.output.path.empty() ? "" : arguments.output.path + ": ", frames, describe(arguments, request),
+                arguments.output.path.empty() ? "" : arguments.output.path + ": ", frames, describe(request),
                 range_of(all, &Extracted::vertices), range_of(all, &Extracted::triangles),
                 std::ranges::max(all, {}, &Extracted::error).error);
   Json list = Json::array();
@@ -148,7 +148,7 @@ void report(const FourFaceExtract& arguments, const eval::FourFaceRequest& reque
   console.report("limber.extract_four_face/1",
                  {{"input", arguments.stream.specification},
                   {"output", arguments.output.path.empty() ? Json(nullptr) : Json(arguments.output.path)},
-                  {"asked", describe(arguments, request)},
+                  {"asked", describe(request)},
                   {"unit", "percent of the diagonal of the first frame's bounding box"},
                   {"frames", list}});
 }

@@ -75,7 +75,7 @@ TEST(ScreenError, OfACutByPixelsIsNeverMoreThanPromisedAndMostlyNotMuchLess) {
     shares.push_back(error.largest() / pixels);
   }
   std::sort(shares.begin(), shares.end());
-  EXPECT_GE(shares[30], 1.0 / 3);
+  EXPECT_GE(shares[30], 0.25);  // so small a mesh is often shown as coarse, or as fine, as it can be
 }
 
 }  // namespace
