@@ -200,7 +200,7 @@ TEST(CPlayer, TakesTheRestInAnyOrder) {
 
 TEST(CPlayer, GoesOnWithoutAnIndexWhereTheEndIsSomethingElse) {
   Bytes bytes = make_stream();
-  bytes.resize(bytes.size() - 1);
+  bytes.pop_back();
   const OwnedPlayer player = new_player();
   ASSERT_LE(limber_set_size(player.get(), bytes.size()), LIMBER_NEEDS_MORE);
   limber_range range;
