@@ -24,6 +24,16 @@ bool lattice_is_finite(const StreamHeader& h) {
 
 }  // namespace
 
+std::vector<std::byte> chunk_header(std::uint32_t kind, std::uint32_t number, std::span<const std::byte> payload) {
+  std::vector<std::byte> bytes;
+  append_little_endian(bytes, kind);
+  append_little_endian(bytes, number);
+  append_little_endian(bytes, static_cast<std::uint32_t>(payload.size()));
+  append_little_endian(bytes, crc32c(payload));
+  append_little_endian(bytes, crc32c(bytes));
+  return bytes;
+}
+
 std::string place_in_stream(std::uint64_t offset, std::optional<std::uint32_t> frame) {
   const std::string byte = "byte " + std::to_string(offset);
   return frame ? "frame " + std::to_string(*frame) + ", " + byte : byte;

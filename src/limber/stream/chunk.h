@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "limber/base/result.h"
 #include "limber/stream/bytes.h"
@@ -55,6 +56,9 @@ struct ChunkHeader {
   std::uint32_t length = 0;  // of the payload
   std::uint32_t payload_check = 0;
 };
+
+// The header of a chunk with this payload, which is shorter than 4 GiB.
+std::vector<std::byte> chunk_header(std::uint32_t kind, std::uint32_t number, std::span<const std::byte> payload);
 
 // "frame 3, byte 1234": where in a stream an error lies.
 std::string place_in_stream(std::uint64_t offset, std::optional<std::uint32_t> frame = {});

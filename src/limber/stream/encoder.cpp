@@ -112,13 +112,7 @@ Result<void> Encoder::Stream::write_chunk(std::uint32_t kind, std::uint32_t numb
                                           std::span<const std::byte> payload) {
   if (payload.size() > std::numeric_limits<std::uint32_t>::max())
     return Error{ErrorCode::kUnsupported, place_in_stream(written), "a chunk of 4 GiB or more; split the mesh"};
-  std::vector<std::byte> head;
-  append_little_endian(head, kind);
-  append_little_endian(head, number);
-  append_little_endian(head, static_cast<std::uint32_t>(payload.size()));
-  append_little_endian(head, crc32c(payload));
-  append_little_endian(head, crc32c(head));
-  auto result = write(head);
+  auto result = write(chunk_header(kind, number, payload));
   return result ? write(payload) : result;
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "limber/stream/chunk.h"
 #include "limber/stream/four_k_coding.h"
 #include "limber/stream/lattice.h"
 #include "limber/stream/mesh_coding.h"
@@ -220,13 +221,7 @@ Result<void> FourKEncoder::File::write_chunk(std::uint32_t kind, std::uint32_t n
                                              std::span<const std::byte> payload) {
   if (payload.size() > std::numeric_limits<std::uint32_t>::max())
     return Error{ErrorCode::kUnsupported, "", "a chunk would be larger than 4 GiB"};
-  std::vector<std::byte> bytes;
-  append_little_endian(bytes, kind);
-  append_little_endian(bytes, number);
-  append_little_endian(bytes, static_cast<std::uint32_t>(payload.size()));
-  append_little_endian(bytes, crc32c(payload));
-  append_little_endian(bytes, crc32c(bytes));
-  if (Result<void> written = write(bytes); !written) return written;
+  if (Result<void> written = write(chunk_header(kind, number, payload)); !written) return written;
   return write(payload);
 }
 
