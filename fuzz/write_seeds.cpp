@@ -140,7 +140,7 @@ void write_four_face_files(const fs::path& folder) {
     const auto clip = must(open_sample("sample:" + name));
     write_four_face_file(folder / name.substr(0, 4), *clip, {.encoder = {.key_interval = 2}});
   }
-  const auto clip = must(open_sample("sample:collapse?vertices=60&frames=3"));
+  const auto clip = must(open_sample("sample:collapse?vertices=100&frames=3"));
   write_four_face_file(folder / "lossless", *clip, {.encoder = {.lossless = true}});
 }
 
