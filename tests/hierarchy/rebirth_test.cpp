@@ -19,17 +19,21 @@ struct Scene {
       : clusters(test::weighed(shape, branching, topology)),
         level(at_level),
         graph(test::graph_of(shape.mesh, clusters.hierarchy(), level, topology == Topology::kFree)),
+        coarser(test::graph_of(shape.mesh, clusters.hierarchy(), level + 1, topology == Topology::kFree)),
         is_valid(clusters.hierarchy(), clusters.children(), topology),
         worth(clusters, Benefit::kExact),
         budget(clusters.hierarchy()),
         rebirth(clusters, is_valid, worth, budget) {
     worth.set_weights(1.9, 0.2);
   }
+  const std::vector<Index>& pair_up(double least, const RebirthOptions& options) {
+    return rebirth.pair_up(graph, coarser, least, options);
+  }
   double error() const { return clusters.total_energy(level + 1); }
 
   Clustering clusters;
   Index level;
-  LevelGraph graph;
+  LevelGraph graph, coarser;
   SwapValidity is_valid;
   Worth worth;
   ChangeBudget budget;
@@ -67,7 +71,7 @@ TEST(Rebirth, BringsClustersToWhereTheErrorIsAndKeepsTheirNumber) {
       std::size_t pairs = 0;
       for (int round = 0; round < 10; ++round) {
         const double before = scene.error();
-        const std::size_t changed = scene.rebirth.pair_up(scene.graph, 0, {}).size();
+        const std::size_t changed = scene.pair_up(0, {}).size();
         if (changed == 0) break;
         pairs += changed / 3;
         EXPECT_LT(scene.error(), before);
@@ -84,22 +88,22 @@ TEST(Rebirth, DoesNothingWithoutHysteresisOrWhereNothingGainsEnough) {
   const auto made = late(Topology::kPreserve, 0);
   Scene& scene = *made;
   const Hierarchy before = scene.clusters.hierarchy();
-  EXPECT_TRUE(scene.rebirth.pair_up(scene.graph, 0, {.hysteresis = 0}).empty());
-  EXPECT_TRUE(scene.rebirth.pair_up(scene.graph, scene.error(), {}).empty());
+  EXPECT_TRUE(scene.pair_up(0, {.hysteresis = 0}).empty());
+  EXPECT_TRUE(scene.pair_up(scene.error(), {}).empty());
   EXPECT_EQ(scene.clusters.hierarchy(), before);
 }
 
 TEST(Rebirth, MakesFewerPairsWithMoreHysteresis) {
   const auto little = late(Topology::kPreserve, 0), much = late(Topology::kPreserve, 0);
-  const std::size_t many = little->rebirth.pair_up(little->graph, 0, {.hysteresis = 1}).size();
-  EXPECT_LT(much->rebirth.pair_up(much->graph, 0, {.hysteresis = 20}).size(), many);
+  const std::size_t many = little->pair_up(0, {.hysteresis = 1}).size();
+  EXPECT_LT(much->pair_up(0, {.hysteresis = 20}).size(), many);
 }
 
 TEST(Rebirth, NamesEveryClusterThatHasChangedOnce) {
   const auto made = late(Topology::kPreserve, 0);
   Scene& scene = *made;
   const Hierarchy before = scene.clusters.hierarchy();
-  std::vector<Index> changed = scene.rebirth.pair_up(scene.graph, 0, {});
+  std::vector<Index> changed = scene.pair_up(0, {});
   std::sort(changed.begin(), changed.end());
   EXPECT_TRUE(std::adjacent_find(changed.begin(), changed.end()) == changed.end());
   for (Index v = 0; v < before.vertex_count(); ++v) {
@@ -124,14 +128,15 @@ TEST(Rebirth, LeavesEverythingAsItWasWhereADeathFindsNoBirth) {
     clusters.finest_positions()[v] = normalization(shape.positions).to_unit(shape.positions[v]);
   VertexQuadrics(shape.mesh, {}).compute(clusters.finest_positions(), clusters.finest_quadrics());
   clusters.weigh();
-  const LevelGraph graph = test::graph_of(shape.mesh, clusters.hierarchy(), 0, false);
+  const LevelGraph graph = test::graph_of(shape.mesh, clusters.hierarchy(), 0, false),
+                   coarser = test::graph_of(shape.mesh, clusters.hierarchy(), 1, false);
   SwapValidity is_valid(clusters.hierarchy(), clusters.children(), Topology::kPreserve);
   Worth worth(clusters, Benefit::kExact);
   worth.set_weights(1.9, 0.2);
   ChangeBudget budget(clusters.hierarchy());
   Rebirth rebirth(clusters, is_valid, worth, budget);
   const Hierarchy before = clusters.hierarchy();
-  EXPECT_TRUE(rebirth.pair_up(graph, 0, {.hysteresis = 1e-9}).empty());
+  EXPECT_TRUE(rebirth.pair_up(graph, coarser, 0, {.hysteresis = 1e-9}).empty());
   EXPECT_EQ(clusters.hierarchy(), before);
 }
 
@@ -148,7 +153,7 @@ TEST(Rebirth, KeepsEveryInvariantOnRandomShapes) {
         Scene scene(rough, 2.5, topology, level);
         for (int round = 0; round < 20; ++round) {
           // Almost no hysteresis: what would never pay is made, too.
-          changed += scene.rebirth.pair_up(scene.graph, -1, {.hysteresis = 1e-6}).size();
+          changed += scene.pair_up(-1, {.hysteresis = 1e-6}).size();
           const auto violation = validator(scene.clusters.hierarchy());
           ASSERT_FALSE(violation) << violation->line();
         }

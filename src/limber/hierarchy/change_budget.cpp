@@ -6,17 +6,8 @@
 namespace limber {
 
 void ChangeBudget::limit(std::span<const LevelGraph> graphs, double share) {
-  const auto allow = [&](Index level, std::size_t triangle_count) {
-    left_[level] = static_cast<Index>(share * static_cast<double>(triangle_count));
-  };
-  for (Index level = 1; level < graphs.size(); ++level) allow(level, graphs[level].triangles.size());
-  if (graphs.empty()) return;
-  const std::vector<Index>& parent = hierarchy_.parent;
-  allow(static_cast<Index>(graphs.size()),
-        static_cast<std::size_t>(
-            std::count_if(graphs.back().triangles.begin(), graphs.back().triangles.end(), [&](const Triangle& t) {
-              return !is_degenerate({parent[t[0]], parent[t[1]], parent[t[2]]});
-            })));
+  for (Index level = 1; level < graphs.size(); ++level)
+    left_[level] = static_cast<Index>(share * static_cast<double>(graphs[level].triangles.size()));
 }
 
 // The triangles around the node whose corners are three labels, the node's own among them; equal ones count once.
@@ -47,6 +38,14 @@ bool ChangeBudget::spend(const LevelGraph& graph, Index node, Index from) {
   }
   for (std::size_t i = 0; i < made_.size(); ++i) left_[level + i] -= made_[i];
   return true;
+}
+
+bool ChangeBudget::move(Clustering& clusters, const LevelGraph& graph, Index node, Index to) {
+  const Index from = clusters.parent(node);
+  clusters.move(node, to);
+  if (spend(graph, node, from)) return true;
+  clusters.move(node, from);
+  return false;
 }
 
 }  // namespace limber

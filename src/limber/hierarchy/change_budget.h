@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "limber/hierarchy/clustering.h"
 #include "limber/hierarchy/hierarchy.h"
 #include "limber/hierarchy/level_graph.h"
 
@@ -19,14 +20,18 @@ class ChangeBudget {
   explicit ChangeBudget(const Hierarchy& hierarchy)
       : hierarchy_(hierarchy), left_(hierarchy.level_count(), kUnlimited), kept_(left_) {}
 
-  // Begins a frame. graphs: of all levels below the top, as they are before anything is moved; share: of the triangles
-  // of each level, >= 0.
+  // Begins a frame. graphs: [level_count], as they are before anything is moved; share: of the triangles of each level,
+  // >= 0.
   void limit(std::span<const LevelGraph> graphs, double share);
   bool is_limited() const { return !left_.empty() && left_.back() != kUnlimited; }
 
   // The node of the graph has just left the cluster `from`. False, and nothing is spent, where a level cannot afford
   // that: the move is to be undone.
   bool spend(const LevelGraph& graph, Index node, Index from);
+
+  // Moves a node of the graph. False, and all is as before, where a level cannot afford that. `clusters` has the
+  // hierarchy.
+  bool move(Clustering& clusters, const LevelGraph& graph, Index node, Index to);
 
   // What is spent after keep() is given back by undo().
   void keep() { kept_ = left_; }

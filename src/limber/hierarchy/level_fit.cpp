@@ -7,7 +7,8 @@
 //       for every sample p of weight w, its area, in the cluster of node i:
 //         c = the closest point to p on the level's triangles around i; at its corners j it has the weights b_j
 //         r = p - c, d = r/|r|: small moves m_j of the nodes make the distance  (r - sum of b_j m_j).d
-//       move each node j to the minimum of  sum of w b_j ((r - m_j).d)^2 + anchor x its quadric
+//       move each node j to the minimum of  sum of w b_j ((r - m_j).d)^2 + anchor x its quadric, no further than
+//       kReach from where it was at first
 //     draw back the nodes of triangles that have been turned over
 //
 // The weights b_j sum up to 1, so that the sum over the nodes bounds the squared distances from above (Jensen), and a
@@ -25,7 +26,9 @@ namespace {
 constexpr Index kSamplesPerNode = 6;
 // Weight of a node's way, against the pulls at it: what keeps it from far places along a surface that says little about
 // them.
-constexpr double kDamping = 0.003;
+constexpr double kDamping = 0.001;
+// Of the side of a square as large as the cluster: beyond, a node slides past others, or out over a border.
+constexpr double kReach = 0.5;
 // What is left of a quadric is the squared distance to planes, about twice that to the surface they bound.
 constexpr double kPlanes = 0.5;
 constexpr double kFacing = 0.7;  // the least length of the mean normal of a surface that faces one way
@@ -204,7 +207,10 @@ void LevelFit::move(std::span<const Quadric> quadrics, double anchor, std::span<
     sum *= anchor;
     sum += p;
     sum.add_point({}, kDamping * p.trace());
-    const Vec3d way = minimum(sum).point;
+    const Vec3d& home = minima_[node - first_];
+    Vec3d way = minimum(sum).point;
+    if (const double far_2 = squared_length(x + way - home), most_2 = kReach * kReach * areas_[node]; far_2 > most_2)
+      way = home + (x + way - home) * std::sqrt(most_2 / far_2) - x;
     const double left = 0.5 * std::max(p(way), 0.0) + 0.5 * kPlanes * std::max(q(way), 0.0);
     if (!std::isfinite(left)) continue;  // millions of times larger than the first frame
     positions[node] += way;

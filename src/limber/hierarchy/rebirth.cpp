@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //   pair_up(level):
 //     births: for each cluster, the child that gains most by leaving it and founding a new one      dearest first
-//     deaths: for each cluster, the neighbour that takes all its children at the least cost         cheapest first
+//     deaths: for each cluster, the neighbour on its level that takes all its children at the least cost cheapest first
 //     while the next birth gains more than hysteresis x the cost of the next death, and more than `least`:
 //       the children of the dying cluster move to its heir, one after the other; each move is a swap, the last a
 //       contraction, so that validity is that of swap_validity.h
@@ -32,20 +32,12 @@ void Rebirth::find_births(const LevelGraph& graph, double least) {
 }
 
 // Those that may cost no more than `most`.
-void Rebirth::find_deaths(const LevelGraph& graph, double most) {
+void Rebirth::find_deaths(const LevelGraph& coarser, double most) {
   deaths_.clear();
-  const Hierarchy& h = clusters_.hierarchy();
-  const Index level = h.level_of(graph.first_node) + 1;
-  for (Index cluster = h.level_begin[level]; cluster < h.level_begin[level + 1]; ++cluster) {
-    heirs_.clear();
-    for (const Index child : clusters_.children().of(cluster))
-      for (const Index n : graph.around(child))
-        if (const Index heir = clusters_.parent(n);
-            heir != cluster && std::find(heirs_.begin(), heirs_.end(), heir) == heirs_.end())
-          heirs_.push_back(heir);
+  for (Index cluster = coarser.first_node; cluster < coarser.first_node + coarser.size(); ++cluster) {
     // Of all heirs the one that seems best; only its cost is found exactly, where it may pay for the dearest birth.
     Death best{0, cluster, kNone};
-    for (const Index heir : heirs_) {
+    for (const Index heir : coarser.around(cluster)) {
       const double burden = worth_.about_burden(clusters_.quadric(cluster), heir);
       if (best.heir == kNone || burden < best.cost) best.cost = burden, best.heir = heir;
     }
@@ -60,11 +52,7 @@ void Rebirth::find_deaths(const LevelGraph& graph, double most) {
 // None where the budget does not allow it.
 bool Rebirth::move(const LevelGraph& graph, Index node, Index to) {
   const Index from = clusters_.parent(node);
-  clusters_.move(node, to);
-  if (!budget_.spend(graph, node, from)) {
-    clusters_.move(node, from);
-    return false;
-  }
+  if (!budget_.move(clusters_, graph, node, to)) return false;
   moves_.push_back({node, from});
   return true;
 }
@@ -120,12 +108,13 @@ bool Rebirth::found(const LevelGraph& graph, const Birth& birth, Index cluster) 
   return true;
 }
 
-const std::vector<Index>& Rebirth::pair_up(const LevelGraph& graph, double least, const RebirthOptions& options) {
+const std::vector<Index>& Rebirth::pair_up(const LevelGraph& graph, const LevelGraph& coarser, double least,
+                                           const RebirthOptions& options) {
   changed_.clear();
   if (!(options.hysteresis > 0)) return changed_;
   find_births(graph, least);
   if (births_.empty()) return changed_;
-  find_deaths(graph, births_.front().gain / options.hysteresis);
+  find_deaths(coarser, births_.front().gain / options.hysteresis);
   const auto pays = [&](const Birth& birth, const Death& death) {
     return birth.gain > options.hysteresis * death.cost && birth.gain - death.cost > least;
   };

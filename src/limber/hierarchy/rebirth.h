@@ -33,8 +33,10 @@ class Rebirth {
         is_locked_(clusters.hierarchy().node_count(), 0) {}
 
   // One round over the clusters of the nodes of `graph`, every cluster in one pair at most; a pair must gain more than
-  // `least`. Gives the clusters that have changed, two or three for each pair.
-  const std::vector<Index>& pair_up(const LevelGraph& graph, double least, const RebirthOptions& options);
+  // `least`. `coarser` says which clusters are neighbours; where they have changed since, other heirs are missed, and
+  // what is a neighbour no more is no valid heir. Gives the clusters that have changed, two or three for each pair.
+  const std::vector<Index>& pair_up(const LevelGraph& graph, const LevelGraph& coarser, double least,
+                                    const RebirthOptions& options);
 
  private:
   struct Birth {
@@ -47,7 +49,7 @@ class Rebirth {
   };
 
   void find_births(const LevelGraph& graph, double least);
-  void find_deaths(const LevelGraph& graph, double most);
+  void find_deaths(const LevelGraph& coarser, double most);
   bool end(const LevelGraph& graph, const Death& death);
   bool found(const LevelGraph& graph, const Birth& birth, Index cluster);
   void grow(const LevelGraph& graph, Index old, Index cluster);
@@ -60,8 +62,7 @@ class Rebirth {
   ChangeBudget& budget_;
   std::vector<Birth> births_;
   std::vector<Death> deaths_;
-  std::vector<Swap> moves_;   // that undo what the pair at work has moved, last first
-  std::vector<Index> heirs_;  // scratch
+  std::vector<Swap> moves_;  // that undo what the pair at work has moved, last first
   std::vector<Index> changed_;
   std::vector<char> is_locked_;  // [node_count]: has changed in this round
 };

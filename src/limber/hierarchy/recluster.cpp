@@ -85,13 +85,13 @@ Reclusterer::Reclusterer(const Mesh& mesh, Hierarchy base, const ReclusterOption
       is_valid_(clusters_.hierarchy(), clusters_.children(), options.topology),
       rebirth_(clusters_, is_valid_, worth_, budget_),
       vertex_quadrics_(mesh, options.quadrics),
-      graphs_(hierarchy().level_count() - 1),
+      graphs_(hierarchy().level_count()),
       positions_(hierarchy().node_count()),
       errors_(hierarchy().node_count(), 0.0f),
       fit_(mesh, clusters_.hierarchy()),
       mark_(hierarchy().node_count(), 0) {
   assert(hierarchy().vertex_count() == mesh.vertex_count);
-  if (!graphs_.empty()) graph_builder_.build_finest(mesh, options.topology == Topology::kFree, graphs_[0]);
+  graph_builder_.build_finest(mesh, options.topology == Topology::kFree, graphs_[0]);
 }
 
 void Reclusterer::measure_leeways(const LeewayOptions& options, std::span<Leeway> leeways) const {
@@ -133,6 +133,8 @@ Reclusterer::Candidate Reclusterer::best_swap(const LevelGraph& graph, Index nod
   const Candidate none{0, kNone, kNone};
   const Index from = clusters_.parent(node);
   if (clusters_.has_one_child(from)) return none;
+  const double about_release = first_ ? 0 : worth_.about_release(node), likely = Worth::kLikely * least_benefit;
+  if (!first_ && !(about_release > likely)) return none;
   candidates_of_node_.clear();
   double least_burden = std::numeric_limits<double>::infinity();
   for (const Index n : graph.around(node)) {
@@ -141,7 +143,7 @@ Reclusterer::Candidate Reclusterer::best_swap(const LevelGraph& graph, Index nod
     candidates_of_node_.push_back({0, node, to});
     least_burden = std::min(least_burden, worth_.about_burden(clusters_.quadric(node), to));
   }
-  if (!first_ && !(worth_.about_release(node) - least_burden > Worth::kLikely * least_benefit)) return none;
+  if (!first_ && !(about_release - least_burden > likely)) return none;
   const double release = worth_.release(node);
   for (Candidate& c : candidates_of_node_) c.benefit = worth_.of_swap(node, c.to, release);
   std::sort(candidates_of_node_.begin(), candidates_of_node_.end(), kMoreBenefit);
@@ -180,11 +182,7 @@ void Reclusterer::make_swaps(const LevelGraph& graph, double least_benefit) {
       if (worth_.of_swap(c.node, c.to) < std::max(0.5 * c.benefit, least_benefit)) continue;
       if (!is_valid_(graph, c.node, c.to)) continue;
       const Index from = clusters_.parent(c.node);
-      clusters_.move(c.node, c.to);
-      if (!budget_.spend(graph, c.node, from)) {
-        clusters_.move(c.node, from);
-        continue;
-      }
+      if (!budget_.move(clusters_, graph, c.node, c.to)) continue;
       touch(graph, from);
       touch(graph, c.to);
     }
@@ -192,7 +190,7 @@ void Reclusterer::make_swaps(const LevelGraph& graph, double least_benefit) {
 }
 
 void Reclusterer::improve_level(Index level, double threshold) {
-  const LevelGraph& graph = graphs_[level];
+  const LevelGraph &graph = graphs_[level], &coarser = graphs_[level + 1];
   // At least so much that rounding alone does not look like a benefit, on flat surfaces too.
   const double least =
       (std::max(threshold, 1e-6) * total_error(level + 1) + kRounding) / hierarchy().level_size(level + 1);
@@ -203,7 +201,7 @@ void Reclusterer::improve_level(Index level, double threshold) {
   for (unsigned round = 0;; ++round) {
     make_swaps(graph, least);
     if (round == kMostRounds || !is_worth_it) return;
-    const std::vector<Index>& changed = rebirth_.pair_up(graph, least, options_.rebirth);
+    const std::vector<Index>& changed = rebirth_.pair_up(graph, coarser, least, options_.rebirth);
     is_worth_it = static_cast<double>(changed.size()) > again * hierarchy().level_size(level + 1);
     ++pass_;
     for (const Index cluster : changed) touch(graph, cluster);
@@ -244,14 +242,14 @@ std::span<const Swap> Reclusterer::step(std::span<const Vec3f> positions) {
     worth_.set_weights(growth_, options_.coarser_weight);
   }
   const RestartOptions& restart = options_.restart;
-  const bool is_jump = !graphs_.empty() && restart.jump > 0 &&
+  const bool is_jump = graphs_.size() > 1 && restart.jump > 0 &&
                        (first_ ? restart.tries_first : mean_ratio(level_errors(), errors_before_) > restart.jump);
   parents_before_ = hierarchy().parent;
   for (Index level = 1; level < graphs_.size(); ++level)
     graph_builder_.build_coarser(hierarchy(), level, graphs_[level - 1], graphs_[level]);
   const bool is_limited = !first_ && options_.most_changed < 1;
   if (is_limited) budget_.limit(graphs_, options_.most_changed);
-  for (auto level = static_cast<Index>(graphs_.size()); level-- > 0;)
+  for (Index level = hierarchy().level_count() - 1; level-- > 0;)
     improve_level(level, first_ ? 0.0 : options_.threshold);
   has_restarted_ = false;
   if (is_jump && !is_limited) try_anew(positions);

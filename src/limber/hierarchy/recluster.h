@@ -129,7 +129,7 @@ class Reclusterer {
   Rebirth rebirth_;
   VertexQuadrics vertex_quadrics_;
   LevelGraphBuilder graph_builder_;
-  std::vector<LevelGraph> graphs_;  // [level_count - 1]: levels whose nodes have parents
+  std::vector<LevelGraph> graphs_;  // [level_count]
   double growth_ = 0;
   double scale_ = 0;  // of the first frame's normalization, used for all
   bool first_ = true;
