@@ -270,7 +270,16 @@ function applySettings() {
 function bodyAxis() {
   const { low, high } = stage.box();
   const side = stage.up === 'y' ? 2 : 1;
-  return high[0] - low[0] >= high[side] - low[side] ? 'x' : 'xyz'[side];
+  return high[0] - low[0] >= high[side] - low[side] ? 0 : side;
+}
+
+// A place within the high end of it.
+function bodyEnd() {
+  const { low, high } = stage.box();
+  const place = low.map((x, k) => (x + high[k]) / 2);
+  const axis = bodyAxis();
+  place[axis] += 0.3 * (high[axis] - low[axis]);
+  return place;
 }
 
 const presets = {
@@ -278,24 +287,27 @@ const presets = {
   pixel: () => detail.setBy('pixels', 1),
   fig12() {
     detail.setBy('vertices', 0.07 * state.info.vertexCount);
-    looking.setAlong(`-${bodyAxis()}`);
+    looking.setAlong(`-${'xyz'[bodyAxis()]}`);
     look({ wireframe: true });
   },
   part() {
     detail.setBy('triangles', 0.08 * state.info.triangleCount);
-    looking.setFocus(looking.focusInMiddle());
+    looking.setFocus({ center: bodyEnd(), radius: 0.3 * stage.sphere.radius });
     look({ wireframe: true });
   },
   frozen() {
     detail.setBy('pixels', 1);
     by('seen').checked = true;
     look({ wireframe: true });
+    stage.approach(bodyEnd(), 0.4);
     looking.setFrozen(true);
   },
 };
 
 function applyPreset(name) {
   looking.reset();
+  stage.flight = null;
+  stage.fit(false);
   look({ wireframe: false });
   presets[name]();
   by('preset').value = name;

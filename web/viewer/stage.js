@@ -238,13 +238,15 @@ export class Stage {
       direction.set(frontal ? 0.5 : 0.85, 0.32, frontal ? 0.85 : 0.5).normalize();
       if (!y) direction.set(direction.x, -direction.z, direction.y);
     }
-    const aspect = this.aspect();
-    const half = (this.camera.fov * Math.PI) / 360;
-    const narrow = Math.min(half, Math.atan(Math.tan(half) * aspect));
-    const distance = (radius / Math.sin(narrow)) * 0.92;
-    const to = { target: center, position: center.clone().addScaledVector(direction, distance) };
+    const to = { target: center, position: center.clone().addScaledVector(direction, this.fitDistance(radius)) };
     if (isAnimated && !isFirst) this.flyTo(to);
     else this.place(to);
+  }
+
+  fitDistance(radius) {
+    const half = (this.camera.fov * Math.PI) / 360;
+    const narrow = Math.min(half, Math.atan(Math.tan(half) * this.aspect()));
+    return (radius / Math.sin(narrow)) * 0.92;
   }
 
   flyTo(to) {
@@ -310,12 +312,20 @@ export class Stage {
       return;
     }
     const { camera, controls } = this;
-    const sight = controls.target.clone().sub(camera.position);
-    this.frustum.set(eye, sight.length() + (this.sphere?.radius ?? 1));
-    const target = controls.target.clone().addScaledVector(sight, -0.25);
-    const arm = sight.clone().applyAxisAngle(camera.up, -1.15).multiplyScalar(-1.6);
-    arm.addScaledVector(camera.up, 0.3 * sight.length());
-    this.flyTo({ target, position: target.clone().add(arm) });
+    const { center, radius } = this.sphere ?? { center: controls.target, radius: 1 };
+    const arm = camera.position.clone().sub(center);
+    this.frustum.set(eye, arm.length() + 0.8 * radius);
+    const distance = Math.max(1.15 * this.fitDistance(radius), 1.5 * arm.length());
+    const direction = arm.clone().normalize().applyAxisAngle(camera.up, -1.2).addScaledVector(camera.up, 0.25).normalize();
+    const target = center.clone().addScaledVector(arm, 0.25);
+    this.flyTo({ target, position: target.clone().addScaledVector(direction, distance) });
+  }
+
+  // Nearer to a place, from the same side.
+  approach(place, part) {
+    const arm = this.camera.position.clone().sub(this.controls.target).multiplyScalar(part);
+    const target = new Vector3().fromArray(place);
+    this.place({ target, position: target.clone().add(arm) });
   }
 
   setFocus(focus) {
@@ -342,7 +352,7 @@ export class Stage {
   insetBox() {
     const { clientWidth: w, clientHeight: h } = this.canvas;
     const aspect = this.frozen.width / this.frozen.height;
-    const height = Math.round(Math.min(0.34 * h, (0.36 * w) / aspect));
+    const height = Math.round(Math.min(0.3 * h, (0.34 * w) / aspect));
     return { left: 14, bottom: 14, width: Math.round(height * aspect), height };
   }
 
