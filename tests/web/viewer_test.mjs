@@ -31,7 +31,7 @@ const status = (address, headers) =>
   new Promise((resolve) => request(address, { headers }, (response) => resolve(response.resume())).end());
 
 // A page that must say nothing on its console while `act` runs.
-async function withPage(address, act, { viewport = { width: 1000, height: 640 }, isTouch = false, allow = /^$/ } = {}) {
+async function withPage(address, act, { viewport = { width: 800, height: 500 }, isTouch = false, allow = /^$/ } = {}) {
   const context = await launched.browser.newContext({ viewport, hasTouch: isTouch, colorScheme: 'dark' });
   const page = await context.newPage();
   page.setDefaultTimeout(PATIENCE);

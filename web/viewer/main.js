@@ -317,7 +317,9 @@ function placeInset() {
   const inset = by('inset');
   inset.hidden = !looking.frozen;
   if (inset.hidden) return;
-  for (const [name, value] of Object.entries(stage.insetBox())) inset.style[name] = `${value}px`;
+  const { left, bottom, width, height } = stage.insetBox();
+  const top = by('canvas').clientHeight - bottom - height;
+  for (const [name, value] of Object.entries({ left, top, width, height })) inset.style[name] = `${value}px`;
 }
 
 function look(change) {
@@ -349,6 +351,12 @@ function placeTags() {
   by('divider').style.left = `${100 * at}%`;
   by('tag-left').style.right = `calc(${100 * (1 - at)}% + 14px)`;
   by('tag-right').style.left = `calc(${100 * at}% + 14px)`;
+}
+
+function setSplit(part) {
+  stage.split = Math.min(0.97, Math.max(0.03, part));
+  stage.isDirty = true;
+  placeTags();
 }
 
 const css = (color) => `#${color.getHexString()}`;
@@ -433,9 +441,7 @@ divider.addEventListener('pointerdown', (event) => divider.setPointerCapture(eve
 divider.addEventListener('pointermove', (event) => {
   if (!divider.hasPointerCapture(event.pointerId)) return;
   const box = by('stage').getBoundingClientRect();
-  stage.split = Math.min(0.97, Math.max(0.03, (event.clientX - box.left) / box.width));
-  stage.isDirty = true;
-  placeTags();
+  setSplit((event.clientX - box.left) / box.width);
 });
 
 const keys = {
@@ -517,4 +523,4 @@ else say('Nothing is open', 'Drop a .limber stream here, or open one. “limber 
 requestAnimationFrame(tick);
 
 // For tests, and for who likes the console.
-globalThis.limberViewer = { state, stage, timeline, detail, looking, applyPreset, open, seek, setPlaying, look, setCompare };
+globalThis.limberViewer = { state, stage, timeline, detail, looking, applyPreset, open, seek, setPlaying, look, setCompare, setSplit };
