@@ -79,11 +79,13 @@ export const watch = (page) =>
 
 // Plays for so many seconds. Milliseconds of the viewer's own work for each frame that is shown (filling buffers, the
 // timeline, three.js) and, apart from it, of the calls to WebGL, which software rendering makes slow; tasks of the main
-// thread that took more than 50; frames shown; growth of memory.
-export async function measurePlay(page, pid, seconds) {
+// thread that took more than 50; frames shown; growth of memory. With `draws` false nothing is drawn: what is left is the
+// viewer's own.
+export async function measurePlay(page, pid, seconds, { draws = true } = {}) {
   const heap = () => page.evaluate(() => (gc(), performance.memory.usedJSHeapSize));
-  await page.evaluate(() => {
+  await page.evaluate((isDrawing) => {
     const { stage, timeline } = limberViewer;
+    if (!isDrawing) stage.renderer.render = () => {};
     let drawing = 0;
     let own = 0;
     const timed = (object, name, add) => {
@@ -112,7 +114,7 @@ export async function measurePlay(page, pid, seconds) {
       requestAnimationFrame(note);
     };
     note();
-  });
+  }, draws);
   const heapBefore = await heap();
   const residentBefore = residentBytes(pid);
   await page.evaluate(() => {
