@@ -244,7 +244,7 @@ describe('the viewer', { skip }, () => {
     }));
 
   test('a file is dropped, and something else is refused in words', () =>
-    withPage(url, async (page) => {
+    withPage(`${url}#paused`, async (page) => {
       await firstPicture(page);
       const drop = async (name, bytes) => {
         const data = await page.evaluateHandle(
@@ -306,7 +306,7 @@ describe('the viewer', { skip }, () => {
   });
 
   test('names are no trouble in addresses', async () => {
-    await withPage(await view(file('a flag & more.limber')), async (page) => {
+    await withPage(`${await view(file('a flag & more.limber'))}#paused`, async (page) => {
       await firstPicture(page);
       assert.equal(await page.textContent('#name'), 'a flag & more.limber');
     });
@@ -314,7 +314,7 @@ describe('the viewer', { skip }, () => {
 
   test('it fits a phone', () =>
     withPage(
-      url,
+      `${url}#paused`,
       async (page) => {
         await firstPicture(page);
         const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
