@@ -244,7 +244,7 @@ describe('the viewer', { skip }, () => {
     }));
 
   test('a file is dropped, and something else is refused in words', () =>
-    withPage(`${url}#paused`, async (page) => {
+    withPage(url, async (page) => {
       await firstPicture(page);
       const drop = async (name, bytes) => {
         const data = await page.evaluateHandle(
