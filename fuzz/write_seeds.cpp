@@ -18,6 +18,7 @@ namespace {
 
 using namespace limber;
 namespace fs = std::filesystem;
+using namespace std::string_literals;
 
 // Two levels at least; an isolated vertex, a degenerate triangle, an edge of three triangles, two components.
 const Mesh kAwkward{12, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}, {2, 5, 6}, {7, 7, 5}, {9, 10, 11}}};
@@ -74,7 +75,6 @@ void write_mesh_files(const fs::path& folder, const fs::path& scratch) {
   write_mesh_file(folder / "text.ply", '\1', bytes_of(scratch / "text.ply"));
 
   // What limber reads but does not write.
-  using namespace std::string_literals;
   write_mesh_file(
       folder / "polygons.obj", '\0',
       "# a quad\r\no x\nv 0 0 0 1\nv 1e0 0 0\nvt .5 .5\nvn 0 0 1\nv 1 1 0\nv 0 1 0\nf -4/1/1 -3//1 \\\n 3/1 4\n");
@@ -126,6 +126,19 @@ void write_streams(const fs::path& folder, const fs::path& scratch) {
   write_stream(folder / "one_level", *open(), options);
 }
 
+// A stream, and after it what player_fuzzer.cpp does with it: bytes from 0 to 7 begin an action, and say which.
+void write_player_inputs(const fs::path& folder, const fs::path& streams) {
+  const std::string arriving = "\0\20\0\377\4\4\5\1\50\4\5\3\74\4\0\377"s;
+  const std::string in_ranges = "\1\3\3\3\3\3\2\5\3\2\6\5\2\62\7\3\2\4"s;
+  for (const std::string name : {"gallop", "flag", "awkward", "one_level"}) {
+    int count = 0;
+    for (std::string script : {arriving, in_ranges}) {
+      script.resize(96, '\5');
+      write(folder / (name + std::to_string(count++)), bytes_of(streams / name) + script);
+    }
+  }
+}
+
 void write_four_face_file(const fs::path& path, ClipReader& clip, const BuildFourKOptions& options) {
   std::string bytes;
   must(build_four_k_file(clip, options, [&bytes](std::span<const std::byte> more) {
@@ -156,6 +169,7 @@ int main(int argc, char** argv) {
   write_mesh_files(folder / "limber_mesh_file_fuzzer", scratch);
   write_point_caches(folder / "limber_point_cache_fuzzer", scratch);
   write_streams(folder / "limber_stream_fuzzer", scratch);
+  write_player_inputs(folder / "limber_player_fuzzer", folder / "limber_stream_fuzzer");
   write_four_face_files(folder / "limber_four_k_fuzzer");
   fs::remove_all(scratch);
   return 0;

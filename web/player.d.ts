@@ -50,6 +50,28 @@ export interface FrameInfo {
   size: number;
 }
 
+export type Point = readonly [number, number, number] | Float32Array | Float64Array;
+
+/**
+ * How a cut is looked at: where its errors matter, and by how much. All criteria combine. With a camera errors are in
+ * pixels, without one in percent of the frame's bounding box diagonal.
+ */
+export interface View {
+  /** fov: vertical, in degrees, up to 120; by default from (0, 0, 5) to the origin, y up, 24 degrees */
+  camera?: { eye: Point; target: Point; up?: Point; fov?: number };
+  /** of the camera's picture, in pixels; 1200 x 900 by default */
+  width?: number;
+  height?: number;
+  /** with a camera; at least 1: how many times smaller an error must be on the silhouette */
+  silhouettes?: number;
+  /** with a camera; at least 1: how many times larger it may be where the surface faces away */
+  facingAway?: number;
+  /** Finest in a ball; one radius beyond it errors may be `outside` (32) times larger. */
+  focus?: { center: Point; radius: number; outside?: number };
+  /** Finest at and before one place of an axis; at and beyond another errors may be `coarsest` (64) times larger. */
+  along?: { axis: 'x' | 'y' | 'z'; from: number; to: number; coarsest?: number };
+}
+
 export interface CutOptions {
   /** Which of the members below chooses; 'level' by default. */
   by?: 'level' | 'vertices' | 'triangles' | 'error';
@@ -57,10 +79,15 @@ export interface CutOptions {
   level?: number;
   /** at most so many vertices or triangles */
   budget?: number;
-  /** root mean square distance in percent of the frame's bounding box diagonal */
+  /** root mean square distance in percent of the frame's bounding box diagonal; with a view the largest, in its unit */
   errorBound?: number;
   /** at least 1: how many times better a change must be than what the frame before had */
   hysteresis?: number;
+  view?: View | null;
+  /** by error with a view: measure until the bound is kept (many times slower) instead of estimating; false by default */
+  hold?: boolean;
+  /** by vertices or triangles with a view: the error that no budget is spent on going below; 0 by default */
+  enough?: number;
   /** what to fetch besides positions, normals, indices and nodes */
   fetch?: { levels?: boolean; errors?: boolean; moved?: boolean; labels?: boolean };
 }
@@ -74,6 +101,8 @@ export interface MeshData {
   swapCount: number;
   /** root mean square distance to the surface, in units of the input; 0 where errors are not fetched */
   rmsError: number;
+  /** with a view: the largest error that is seen, held or estimated, in the view's unit; 0 without */
+  seenError: number;
   /** [3 x vertexCount] */
   positions: Float32Array;
   /** [3 x vertexCount], of length 1 */

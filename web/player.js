@@ -10,13 +10,18 @@ const CRITERIA = { level: 0, vertices: 1, triangles: 2, error: 3 };
 const FETCH_LEVELS = 1;
 const FETCH_ERRORS = 2;
 const FETCH_MOVED = 4;
+const VIEW_CAMERA = 1;
+const VIEW_FOCUS = 2;
+const VIEW_ALONG = 4;
+const AXES = ['x', 'y', 'z'];
 
 // Sizes of the structures for wasm32.
 const INFO_SIZE = 208;
 const FRAME_SIZE = 32;
 const RANGE_SIZE = 16;
-const OPTIONS_SIZE = 28;
-const MESH_SIZE = 56;
+const OPTIONS_SIZE = 40;
+const VIEW_SIZE = 168;
+const MESH_SIZE = 60;
 
 export class LimberError extends Error {
   constructor(code, message) {
@@ -206,11 +211,47 @@ export class Player {
   }
 }
 
+const DEFAULT_CAMERA = { eye: [0, 0, 5], target: [0, 0, 0], up: [0, 1, 0], fov: 24 };
+const DEFAULT_VIEW = { width: 1200, height: 900, silhouettes: 1, facingAway: 1 };
+const DEFAULT_FOCUS = { center: [0, 0, 0], radius: 1, outside: 32 };
+const DEFAULT_ALONG = { axis: 'x', from: 0, to: 1, coarsest: 64 };
+
+// Writes a limber_view.
+function writeView(to, view) {
+  const { width, height, silhouettes, facingAway } = { ...DEFAULT_VIEW, ...view };
+  const camera = { ...DEFAULT_CAMERA, ...view.camera };
+  const focus = { ...DEFAULT_FOCUS, ...view.focus };
+  const along = { ...DEFAULT_ALONG, ...view.along };
+  const axis = AXES.indexOf(along.axis);
+  if (axis < 0) throw new LimberError('wrong-call', `an axis is x, y or z, not ${along.axis}`);
+  const point = (offset, from) => {
+    for (let k = 0; k < 3; ++k) to.setFloat64(offset + 8 * k, from[k], true);
+  };
+  to.setUint32(0, VIEW_SIZE, true);
+  to.setUint32(4, (view.camera ? VIEW_CAMERA : 0) | (view.focus ? VIEW_FOCUS : 0) | (view.along ? VIEW_ALONG : 0), true);
+  point(8, camera.eye);
+  point(32, camera.target);
+  point(56, camera.up);
+  to.setFloat64(80, camera.fov, true);
+  to.setUint32(88, width, true);
+  to.setUint32(92, height, true);
+  to.setFloat32(96, silhouettes, true);
+  to.setFloat32(100, facingAway, true);
+  point(104, focus.center);
+  to.setFloat64(128, focus.radius, true);
+  to.setFloat32(136, focus.outside, true);
+  to.setFloat32(140, along.coarsest, true);
+  to.setFloat64(144, along.from, true);
+  to.setFloat64(152, along.to, true);
+  to.setUint32(160, axis, true);
+}
+
 export class Cut {
   constructor(player) {
     this.player = player;
     this.handle = player.wasm.limber_cut_create(player.handle);
     this.options = player.wasm.malloc(OPTIONS_SIZE);
+    this.view = player.wasm.malloc(VIEW_SIZE);
     this.mesh = player.wasm.malloc(MESH_SIZE);
   }
 
@@ -219,11 +260,14 @@ export class Cut {
     if (!wasm) return;
     wasm.limber_cut_destroy(this.handle);
     wasm.free(this.options);
+    wasm.free(this.view);
     wasm.free(this.mesh);
     this.player = null;
   }
 
-  update({ by = 'level', level = 0, budget = 0, errorBound = 1, hysteresis = 1.25, fetch = {} } = {}) {
+  update({
+    by = 'level', level = 0, budget = 0, errorBound = 1, hysteresis = 1.25, fetch = {}, view = null, hold = false, enough = 0,
+  } = {}) {
     const { player } = this;
     if (!(by in CRITERIA)) throw new LimberError('wrong-call', `a cut is by level, vertices, triangles or error, not by ${by}`);
     const options = player.view(this.options, OPTIONS_SIZE);
@@ -234,6 +278,10 @@ export class Cut {
     options.setFloat32(16, errorBound, true);
     options.setFloat32(20, hysteresis, true);
     options.setUint32(24, (fetch.levels ? FETCH_LEVELS : 0) | (fetch.errors ? FETCH_ERRORS : 0) | (fetch.moved ? FETCH_MOVED : 0), true);
+    options.setUint32(28, hold ? 1 : 0, true);
+    options.setFloat32(32, enough, true);
+    options.setUint32(36, view ? this.view : 0, true);
+    if (view) writeView(player.view(this.view, VIEW_SIZE), view);
     const finestCount = fetch.labels ? player.vertexCount : 0;
     player.view(this.mesh, MESH_SIZE).setUint32(0, MESH_SIZE, true);
     if (!player.call('limber_cut_update', this.handle, this.options, this.mesh)) return null;
@@ -250,6 +298,7 @@ export class Cut {
       triangleCount,
       swapCount: u32(16),
       rmsError: mesh.getFloat32(20, true),
+      seenError: mesh.getFloat32(56, true),
       positions: list(Float32Array, 24, 3 * vertexCount),
       normals: list(Float32Array, 28, 3 * vertexCount),
       indices: list(Uint32Array, 32, 3 * triangleCount),

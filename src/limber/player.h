@@ -17,6 +17,15 @@
 //   limber_cut_destroy(cut);
 //   limber_player_destroy(player);
 //
+// What is seen from an eye, by no more than two pixels of error:
+//
+//   limber_view view = LIMBER_VIEW_DEFAULTS;
+//   view.criteria = LIMBER_VIEW_CAMERA;
+//   view.eye[2] = 3;
+//   options.by = LIMBER_BY_ERROR;
+//   options.error_bound = 2;
+//   options.view = &view;
+//
 // Link with limber_player and the C++ standard library: cc play.c $(pkg-config --cflags --libs limber-player) -lstdc++
 //
 // A player and its cuts belong to one thread at a time; different players know nothing of each other. Once all bytes
@@ -156,6 +165,40 @@ enum {
   LIMBER_BY_ERROR = 3       // the coarsest nodes within `error_bound`
 };
 
+// What of a limber_view matters; added up.
+enum { LIMBER_VIEW_CAMERA = 1, LIMBER_VIEW_FOCUS = 2, LIMBER_VIEW_ALONG = 4 };
+
+// How a cut is looked at: where its errors matter, and by how much. The criteria combine: how many times larger an
+// error may be at a place is multiplied. With a camera errors are in pixels: a distance counts as if it lay across the
+// line of sight, and outside the picture half of the distance to what is seen is allowed on top. Without one they are
+// in percent of the diagonal of the frame's bounding box. Lengths and places are in units of the input, and below 1e18.
+typedef struct limber_view {
+  uint32_t struct_size;
+  uint32_t criteria;  // LIMBER_VIEW_...: which of the members below are looked at
+
+  double eye[3];       // LIMBER_VIEW_CAMERA: where the eye is,
+  double target[3];    // what it looks at, which is in the middle of the picture,
+  double up[3];        // and what points up in it
+  double fov_degrees;  // vertical, in (0, 120]
+  uint32_t width;      // of the picture, in pixels, >= 1
+  uint32_t height;
+  float silhouettes;  // >= 1: how many times smaller an error must be on the silhouette
+  float facing_away;  // >= 1: how many times larger it may be where the surface faces away
+
+  double focus_center[3];  // LIMBER_VIEW_FOCUS: finest in a ball,
+  double focus_radius;     // > 0; one radius beyond it
+  float focus_outside;     // errors may be so many times larger, >= 1
+
+  float along_coarsest;  // LIMBER_VIEW_ALONG: errors may be so many times larger, >= 1,
+  double along_from;     // towards one end of an axis: not at all at and before this place,
+  double along_to;       // all of it at and beyond this one, which may be less than the other
+  uint32_t along_axis;   // 0, 1, 2: x, y, z
+  uint32_t unused;
+} limber_view;
+
+#define LIMBER_VIEW_DEFAULTS \
+  { sizeof(limber_view), 0, {0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 24, 1200, 900, 1, 1, {0, 0, 0}, 1, 32, 64, 0, 1, 0, 0 }
+
 // What to fetch besides positions, normals, indices and nodes; added up.
 enum {
   LIMBER_FETCH_LEVELS = 1,
@@ -168,13 +211,20 @@ typedef struct limber_cut_options {
   uint32_t by;
   uint32_t level;     // 0 is the finest; clamped to the top
   uint32_t budget;    // the top level is the coarsest there is, whatever the budget
-  float error_bound;  // root mean square distance, in percent of the frame's bounding box diagonal, >= 0
+  float error_bound;  // root mean square distance, in percent of the frame's bounding box diagonal, >= 0; with a view
+                      // the largest distance, in the view's unit
   float hysteresis;   // >= 1: how many times better a change must be than what the frame before had; 1: no memory
   uint32_t fetch;     // LIMBER_FETCH_...
+
+  // With a view a budget gives the least of the largest errors that it allows, as far as they are estimated.
+  uint32_t hold;            // LIMBER_BY_ERROR with a view: 0, errors are estimated; 1, they are measured until they are
+                            // within the bound (docs/design.md, "Looking"), which takes many times as long
+  float enough;             // a budget with a view: the error that none of it is spent on going below, >= 0
+  const limber_view* view;  // null: not looked at. Read by limber_cut_update() and not kept
 } limber_cut_options;
 
 #define LIMBER_CUT_DEFAULTS \
-  { sizeof(limber_cut_options), LIMBER_BY_LEVEL, 0, 0, 1.0f, 1.25f, 0 }
+  { sizeof(limber_cut_options), LIMBER_BY_LEVEL, 0, 0, 1.0f, 1.25f, 0, 0, 0.0f, NULL }
 
 // Arrays belong to the cut and are valid until its next update. Vertices are in rising order of their nodes.
 typedef struct limber_mesh {
@@ -196,15 +246,18 @@ typedef struct limber_mesh {
                          // null where not fetched
   const uint32_t* labels;  // [limber_info.vertex_count]: the node that stands for each vertex of the input; it is not
                            // among `nodes` where it is a corner of no triangle
+  float seen_error;  // with a view: where the bound is held, a bound of what is seen; else the largest estimate of
+                     // a node of the cut; in the view's unit. 0 without
 } limber_mesh;
 
 #define LIMBER_MESH_INIT \
-  { sizeof(limber_mesh), 0, 0, 0, 0, 0, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL }
+  { sizeof(limber_mesh), 0, 0, 0, 0, 0, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, 0 }
 
 limber_cut* limber_cut_create(limber_player* player);
 void limber_cut_destroy(limber_cut* cut);  // null is allowed
 
-// Cuts the frame shown. LIMBER_NEEDS_MORE where none is shown.
+// Cuts the frame shown. LIMBER_NEEDS_MORE where none is shown. LIMBER_WRONG_CALL where options, or those of the view
+// that are looked at, are outside their ranges.
 limber_status limber_cut_update(limber_cut* cut, const limber_cut_options* options, limber_mesh* mesh);
 
 #ifdef __cplusplus

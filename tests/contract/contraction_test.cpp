@@ -2,7 +2,7 @@
 // What holds for every placement.
 #include "limber/contract/contraction.h"
 
-#include <chrono>
+#include <ctime>
 #include <gtest/gtest.h>
 
 #include "limber/contract/contract.h"
@@ -100,9 +100,9 @@ TEST_P(EveryContraction, TakesAFanOfManyTrianglesInReasonableTime) {
     fan.positions.push_back({std::cos(turn), std::sin(turn), 0});
     fan.mesh.triangles.push_back({0, 1 + i, 1 + (i + 1) % kRim});
   }
-  const auto start_time = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();  // of the processor: others may be busy, too
   EXPECT_EQ(simplified(fan, 10).mesh.vertex_count, 10u);
-  EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start_time).count(), 20);
+  EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 20);
 }
 
 INSTANTIATE_TEST_SUITE_P(Contraction, EveryContraction, testing::Values(Placement::kQuadric, Placement::kVolume),

@@ -84,7 +84,7 @@ TEST_F(Process, AnInterruptedBuildLeavesWhatWasThereAndNothingElse) {
             "-o", path("a.limber").c_str(), nullptr);
       _exit(127);
     }
-    for (int i = 0; i < 1000 && names().size() < 2; ++i) std::this_thread::sleep_for(10ms);
+    for (int i = 0; i < 12000 && names().size() < 2; ++i) std::this_thread::sleep_for(10ms);
     EXPECT_EQ(names().size(), 2u) << "no temporary file has appeared";
     std::this_thread::sleep_for(100ms);
     kill(child, signal);

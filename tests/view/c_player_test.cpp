@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "limber/player.h"
 #include "limber/view/cut.h"
 #include "limber/view/extract.h"
 #include "limber/view/player.h"
+#include "limber/view/view.h"
 #include "tests/view/allocations.h"
 #include "tests/view/player_stream.h"
 
@@ -80,7 +87,8 @@ Drawn cut_now(limber_cut* cut, const limber_cut_options& options) {
 }
 
 // What the C++ player gives for every frame.
-std::vector<Drawn> play_in_cpp(const Bytes& bytes, const CutOptions& options) {
+std::vector<Drawn> play_in_cpp(const Bytes& bytes, const CutOptions& options,
+                               const std::optional<View>& view = std::nullopt) {
   Player player;
   EXPECT_TRUE(player.open(bytes));
   Cut cut(player.mesh(), player.state().hierarchy, options);
@@ -89,7 +97,10 @@ std::vector<Drawn> play_in_cpp(const Bytes& bytes, const CutOptions& options) {
   std::vector<Drawn> frames;
   for (std::uint32_t frame = 0; frame < player.available_frames(); ++frame) {
     EXPECT_TRUE(player.seek(frame));
-    cut.update(player.mesh(), player.state());
+    if (view)
+      cut.update(player.mesh(), player.state(), *view);
+    else
+      cut.update(player.mesh(), player.state());
     extract(player.mesh(), player.state(), cut, scratch, buffers);
     const auto labels = cut.labels().first(kFinestCount);
     frames.push_back({buffers.positions,
@@ -122,6 +133,142 @@ TEST(CPlayer, GivesWhatTheCppPlayerGivesByEveryCriterion) {
     EXPECT_EQ(limber_step(player.get()), LIMBER_NEEDS_MORE);
     EXPECT_EQ(limber_shown_frame(player.get()), kFrameCount - 1);
   }
+}
+
+// A view and what the same is in C++.
+struct Looks {
+  limber_view view;
+  View same;
+};
+
+Looks through_a_camera() {
+  limber_view view = LIMBER_VIEW_DEFAULTS;
+  view.criteria = LIMBER_VIEW_CAMERA;
+  std::copy_n(std::array{4.0, -9.0, 7.0}.begin(), 3, view.eye);
+  std::copy_n(std::array{5.0, 6.0, 0.0}.begin(), 3, view.target);
+  std::copy_n(std::array{0.0, 0.0, 1.0}.begin(), 3, view.up);
+  view.fov_degrees = 20;
+  view.width = 320;
+  view.height = 200;
+  view.silhouettes = 3;
+  view.facing_away = 5;
+  return {view,
+          {.camera = Camera{.eye = {4, -9, 7}, .target = {5, 6, 0}, .up = {0, 0, 1}, .fov_degrees = 20},
+           .width = 320,
+           .height = 200,
+           .silhouettes = 3,
+           .facing_away = 5}};
+}
+
+Looks without_a_camera() {
+  limber_view view = LIMBER_VIEW_DEFAULTS;
+  view.criteria = LIMBER_VIEW_FOCUS | LIMBER_VIEW_ALONG;
+  std::copy_n(std::array{2.0, 3.0, 0.5}.begin(), 3, view.focus_center);
+  view.focus_radius = 2.5;
+  view.focus_outside = 20;
+  view.along_axis = 1;
+  view.along_from = 8;
+  view.along_to = 1;
+  view.along_coarsest = 16;
+  return {view,
+          {.focus = Focus{.center = {2, 3, 0.5}, .radius = 2.5, .outside = 20},
+           .along = Along{.axis = 1, .from = 8, .to = 1, .coarsest = 16}}};
+}
+
+TEST(CPlayer, GivesWhatTheCppPlayerGivesWhenLookedAt) {
+  const Bytes bytes = make_stream();
+  struct Case {
+    std::uint32_t by;
+    float amount, enough;
+    std::uint32_t hold;
+  };
+  std::size_t largest = 0, smallest = kFinestCount;
+  for (const Looks& looks : {through_a_camera(), without_a_camera()}) {
+    for (const Case& c : {Case{LIMBER_BY_ERROR, 30, 0, 0}, Case{LIMBER_BY_ERROR, 60, 0, 1},
+                          Case{LIMBER_BY_VERTICES, 60, 0, 0}, Case{LIMBER_BY_TRIANGLES, 90, 4, 0}}) {
+      limber_cut_options options = LIMBER_CUT_DEFAULTS;
+      options.by = c.by;
+      options.budget = static_cast<std::uint32_t>(c.amount);
+      options.error_bound = c.amount;
+      options.hold = c.hold;
+      options.enough = c.enough;
+      options.view = &looks.view;
+      const CutOptions same{.by = static_cast<CutBy>(c.by),
+                            .budget = options.budget,
+                            .error_bound = c.amount,
+                            .hold = c.hold != 0,
+                            .enough = c.enough};
+      const std::vector<Drawn> expected = play_in_cpp(bytes, same, looks.same);
+      const OwnedPlayer player = player_of(bytes);
+      const OwnedCut cut(limber_cut_create(player.get()));
+      for (std::uint32_t frame = 0; frame < kFrameCount; ++frame) {
+        ASSERT_EQ(limber_step(player.get()), LIMBER_OK);
+        ASSERT_EQ(cut_now(cut.get(), options), expected[frame]) << "criterion " << c.by << ", frame " << frame;
+        largest = std::max(largest, expected[frame].nodes.size());
+        smallest = std::min(smallest, expected[frame].nodes.size());
+      }
+    }
+  }
+  EXPECT_LT(smallest, largest) << "some view changed what is drawn";
+}
+
+TEST(CPlayer, SaysHowLargeTheSeenErrorIsWhereThereIsAView) {
+  const OwnedPlayer player = player_of(make_stream());
+  const OwnedCut cut(limber_cut_create(player.get()));
+  const Looks looks = through_a_camera();
+  limber_cut_options options = LIMBER_CUT_DEFAULTS;
+  options.by = LIMBER_BY_ERROR;
+  options.error_bound = 60;
+  options.view = &looks.view;
+  limber_mesh mesh = LIMBER_MESH_INIT;
+  for (const std::uint32_t hold : {0u, 1u}) {
+    options.hold = hold;
+    ASSERT_EQ(limber_cut_update(cut.get(), &options, &mesh), LIMBER_OK);
+    EXPECT_GT(mesh.seen_error, 0);
+    EXPECT_LE(mesh.seen_error, 60);
+    if (hold == 0) {
+      EXPECT_LT(mesh.vertex_count, kFinestCount);
+    }
+  }
+  options.view = nullptr;
+  ASSERT_EQ(limber_cut_update(cut.get(), &options, &mesh), LIMBER_OK);
+  EXPECT_EQ(mesh.seen_error, 0);
+}
+
+TEST(CPlayer, RefusesAViewOutsideItsRangesWhereItIsLookedAt) {
+  const OwnedPlayer player = player_of(make_stream());
+  const OwnedCut cut(limber_cut_create(player.get()));
+  const auto status_of = [&](std::uint32_t criteria, auto change) {
+    limber_view view = LIMBER_VIEW_DEFAULTS;
+    view.criteria = criteria;
+    change(view);
+    limber_cut_options options = by_vertices(60);
+    options.view = &view;
+    limber_mesh mesh = LIMBER_MESH_INIT;
+    return limber_cut_update(cut.get(), &options, &mesh);
+  };
+  constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
+  using Change = void (*)(limber_view&);
+  const std::pair<std::uint32_t, Change> wrong[] = {
+      {LIMBER_VIEW_CAMERA, [](limber_view& view) { view.eye[1] = kNotANumber; }},
+      {LIMBER_VIEW_CAMERA, [](limber_view& view) { view.target[2] = 1e30; }},
+      {LIMBER_VIEW_CAMERA, [](limber_view& view) { view.fov_degrees = 0; }},
+      {LIMBER_VIEW_CAMERA, [](limber_view& view) { view.fov_degrees = kNotANumber; }},
+      {LIMBER_VIEW_CAMERA, [](limber_view& view) { view.height = 0; }},
+      {LIMBER_VIEW_CAMERA, [](limber_view& view) { view.silhouettes = 0.5f; }},
+      {LIMBER_VIEW_CAMERA, [](limber_view& view) { view.facing_away = std::numeric_limits<float>::infinity(); }},
+      {LIMBER_VIEW_FOCUS, [](limber_view& view) { view.focus_radius = 0; }},
+      {LIMBER_VIEW_FOCUS, [](limber_view& view) { view.focus_outside = 0; }},
+      {LIMBER_VIEW_ALONG, [](limber_view& view) { view.along_axis = 3; }},
+      {LIMBER_VIEW_ALONG, [](limber_view& view) { view.along_coarsest = 0; }}};
+  for (const auto& [criterion, change] : wrong) {
+    EXPECT_EQ(status_of(criterion, change), LIMBER_WRONG_CALL);
+    EXPECT_EQ(status_of(7u & ~criterion, change), LIMBER_OK) << "it is not looked at";
+  }
+  EXPECT_EQ(status_of(8, [](limber_view&) {}), LIMBER_WRONG_CALL);
+  EXPECT_EQ(status_of(7, [](limber_view& view) { view.struct_size = 0; }), LIMBER_WRONG_CALL);
+  EXPECT_EQ(status_of(7, [](limber_view& view) { view.struct_size = offsetof(limber_view, along_coarsest); }),
+            LIMBER_OK);
 }
 
 TEST(CPlayer, MeetsEveryFrameWhileBytesArriveOneAtATime) {
@@ -265,11 +412,19 @@ TEST(CPlayer, DoesNotAllocateOncePlayedThrough) {
   const OwnedCut cut(limber_cut_create(player.get()));
   limber_cut_options options = by_vertices(60);
   options.fetch = LIMBER_FETCH_LEVELS | LIMBER_FETCH_ERRORS | LIMBER_FETCH_MOVED;
+  const OwnedCut looked_at(limber_cut_create(player.get()));
+  Looks looks = through_a_camera();
+  limber_cut_options seen = LIMBER_CUT_DEFAULTS;
+  seen.by = LIMBER_BY_ERROR;
+  seen.error_bound = 30;
+  seen.view = &looks.view;
   const auto play = [&] {
     for (std::uint32_t frame = 0; frame < kFrameCount; ++frame) {
       limber_mesh mesh = LIMBER_MESH_INIT;
       ASSERT_EQ(limber_seek(player.get(), frame), LIMBER_OK);
       ASSERT_EQ(limber_cut_update(cut.get(), &options, &mesh), LIMBER_OK);
+      looks.view.eye[0] = 4 + 0.1 * frame;
+      ASSERT_EQ(limber_cut_update(looked_at.get(), &seen, &mesh), LIMBER_OK);
     }
   };
   play();

@@ -31,23 +31,40 @@ async function playerOf(file) {
 
 function bytesOf(mesh) {
   const counts = Uint32Array.of(mesh.frame, mesh.vertexCount, mesh.triangleCount, mesh.swapCount);
-  const arrays = [counts, Float32Array.of(mesh.rmsError), mesh.positions, mesh.normals, mesh.indices, mesh.nodes];
+  const arrays = [counts, Float32Array.of(mesh.rmsError, mesh.seenError), mesh.positions, mesh.normals, mesh.indices, mesh.nodes];
   arrays.push(mesh.levels, mesh.errors, mesh.moved);
   return Buffer.concat(arrays.map((a) => Buffer.from(a.buffer, a.byteOffset, a.byteLength)));
 }
 
-async function expectSameCuts(file, by, amount) {
+// The words of dump_cuts for the view of some options.
+function wordsOf({ view, hold = false, enough = 0 }) {
+  if (!view) return [];
+  const { camera, silhouettes = 1, facingAway = 1, focus, along } = view;
+  const words = ['silhouettes', silhouettes, 'away', facingAway, 'hold', hold ? 1 : 0, 'enough', enough];
+  if (camera) words.push('eye', ...camera.eye, 'target', ...camera.target, 'step', ...camera.step);
+  if (focus) words.push('focus', ...focus.center, focus.radius);
+  if (along) words.push('along', ['x', 'y', 'z'].indexOf(along.axis), along.from, along.to);
+  return words.map(String);
+}
+
+async function expectSameCuts(file, by, amount, looking = {}) {
   const criterion = ['level', 'vertices', 'triangles', 'error'].indexOf(by);
-  const native = execFileSync(process.env.LIMBER_DUMP_CUTS, [String(criterion), String(amount)], {
+  const native = execFileSync(process.env.LIMBER_DUMP_CUTS, [String(criterion), String(amount), ...wordsOf(looking)], {
     input: readFileSync(file),
     maxBuffer: 1 << 30,
   });
   const player = await playerOf(file);
   const cut = player.createCut();
-  const options = { by, level: amount, budget: amount, errorBound: amount };
+  const options = { by, level: amount, budget: amount, errorBound: amount, ...looking };
+  const camera = looking.view?.camera;
+  let eye = camera?.eye;
   let at = 0;
   let frames = 0;
   while (player.step()) {
+    if (camera) {
+      options.view = { ...options.view, camera: { ...camera, eye } };
+      eye = eye.map((x, k) => x + camera.step[k]);
+    }
     const bytes = bytesOf(cut.update({ ...options, fetch: { levels: true, errors: true, moved: true } }));
     assert.equal(Buffer.compare(bytes, native.subarray(at, at + bytes.length)), 0, `${file}, frame ${frames}, by ${by}`);
     at += bytes.length;
@@ -72,11 +89,47 @@ test('native and WebAssembly players give the same bytes on generated clips', as
   await expectSameCuts(build('sample:gallop?vertices=2000&frames=5', 'gallop'), 'triangles', 1500);
 });
 
+// A camera that comes nearer and turns, and everything else that a view can say.
+const camera = (scale) => ({
+  eye: [2.5 * scale, 0.75 * scale, 2 * scale],
+  target: [0.25 * scale, 0.125 * scale, 0],
+  step: [-0.0625 * scale, 0, -0.03125 * scale],
+});
+const views = (scale) => [
+  ['error', 2, { view: { camera: camera(scale) } }],
+  ['error', 4, { view: { camera: camera(scale) }, hold: true }],
+  ['triangles', 600, { view: { camera: camera(scale), silhouettes: 4, facingAway: 8 }, enough: 1.5 }],
+  ['vertices', 400, { view: { focus: { center: [0.25 * scale, 0, 0], radius: 0.25 * scale } } }],
+  ['vertices', 400, { view: { along: { axis: 'z', from: 0.5 * scale, to: -0.5 * scale } } }],
+  ['error', 0.5, {
+    view: {
+      camera: camera(scale), silhouettes: 2, facingAway: 2,
+      focus: { center: [0, 0.25 * scale, 0], radius: 0.5 * scale }, along: { axis: 'x', from: -scale, to: scale },
+    },
+  }],
+];
+
+test('native and WebAssembly players give the same bytes when looked at', async () => {
+  for (const view of views(1)) await expectSameCuts(sample(), ...view);
+});
+
+test('a view outside its ranges is refused, and the next one is not', async () => {
+  const player = await playerOf(sample());
+  const cut = player.createCut();
+  const refuse = (view) => assert.throws(() => cut.update({ view }), { code: 'wrong-call' });
+  refuse({ camera: { eye: [NaN, 0, 0], target: [0, 0, 0] } });
+  refuse({ camera: { eye: [0, 0, 1], target: [0, 0, 0], fov: 0 } });
+  refuse({ focus: { center: [0, 0, 0], radius: 0 } });
+  refuse({ along: { axis: 'w', from: 0, to: 1 } });
+  const mesh = cut.update({ by: 'error', errorBound: 3, view: { camera: { eye: [0, 0.5, 3], target: [0, 0, 0] } } });
+  assert.ok(mesh.seenError > 0 && mesh.seenError <= 3, `${mesh.seenError} pixels`);
+});
+
 const data = process.env.LIMBER_DATA ?? join(web, '../../data');
 const horse = data && existsSync(join(data, 'horse-gallop/0001.obj'));
 test('native and WebAssembly players give the same bytes on real clips', { skip: horse ? false : 'no real clips here' }, async () => {
   const file = build(join(data, 'horse-gallop/%04d.obj'), 'horse', ['--last', '12']);
-  for (const by of [['vertices', 800], ['triangles', 6000], ['error', 0.1]]) await expectSameCuts(file, ...by);
+  for (const by of [['vertices', 800], ['triangles', 6000], ['error', 0.1], ...views(0.5)]) await expectSameCuts(file, ...by);
 });
 
 test('bytes may arrive one at a time', async () => {
@@ -155,6 +208,8 @@ test('memory stays as it is while playing', async () => {
     for (let frame = 0; frame < 20; ++frame) {
       player.seek(frame);
       cut.update({ by: 'vertices', budget: 500, fetch: { errors: true, moved: true, levels: true } });
+      const eye = [2, 1, 2 - frame / 20];
+      cut.update({ by: 'error', errorBound: 3, view: { camera: { eye, target: [0, 0, 0] } }, hold: frame % 5 === 0 });
     }
   };
   playThrough();

@@ -47,7 +47,7 @@ export class Detail {
     this.values = {
       triangles: Math.round(Math.min(20000, Math.max(500, info.triangleCount / 8))),
       vertices: Math.round(Math.min(10000, Math.max(250, info.vertexCount / 8))),
-      pixels: 0.5,
+      pixels: 1,
       error: 0.05,
       level: Math.min(3, info.levelSizes.length - 1),
     };
@@ -93,12 +93,17 @@ export class Detail {
     this.unit.textContent = unit;
   }
 
-  // `unitsPerPixel`: of the input, at the middle of what is looked at.
-  options(unitsPerPixel) {
+  // An error in pixels is one of a cut that is looked at by a camera.
+  options() {
     const value = this.values[this.by];
     if (this.by === 'level') return { by: 'level', level: value };
-    if (this.by === 'error') return { by: 'error', errorBound: value };
-    if (this.by === 'pixels') return { by: 'error', errorBound: (100 * value * unitsPerPixel) / (this.info.diagonal || 1) };
+    if (this.by === 'error' || this.by === 'pixels') return { by: 'error', errorBound: value };
     return { by: this.by, budget: value };
+  }
+
+  // As if the slider had been moved.
+  setBy(by, value) {
+    this.by = by;
+    this.set(value);
   }
 }

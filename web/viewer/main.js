@@ -6,6 +6,7 @@ import { clusterColor, cssRamp, errorGradient, levelRamp } from './colors.js';
 import { Color } from 'three';
 import { Detail } from './detail.js';
 import { icons } from './icons.js';
+import { Looking } from './looking.js';
 import { bytesFromBase64, settingsOfPage, streamOfPage } from './source.js';
 import { Stage } from './stage.js';
 import { Timeline } from './timeline.js';
@@ -41,26 +42,34 @@ const detail = new Detail({
   onChange: () => cutChanged(),
 });
 
+const looking = new Looking({
+  stage,
+  controls: {
+    seen: by('seen'), outlines: by('outlines'), focus: by('focus'), frozen: by('frozen'), along: by('along'), size: by('focus-size'),
+  },
+  onChange: () => {
+    placeInset();
+    cutChanged();
+  },
+});
+
 function cutChanged() {
   timeline.forgetErrors();
   stage.errorScale = 0;
   show();
 }
 
-let pixelsAsked = 0;
 function cameraMoved() {
-  if (!state.info || detail.by !== 'pixels') return;
-  const pixels = stage.unitsPerPixel();
-  if (Math.abs(pixels / pixelsAsked - 1) > 0.02) show();
+  if (!state.info) return;
+  placeInset();
+  if (looking.follows(detail.by)) show();
 }
 
 function cuts() {
   const { colors, flash } = state.look;
-  const pixels = stage.unitsPerPixel();
-  pixelsAsked = pixels;
   const isCompared = state.compare !== 'off';
   const fetch = { errors: true, moved: true, levels: colors === 'levels', labels: isCompared && colors !== 'none' };
-  const list = [{ ...detail.options(pixels), fetch }];
+  const list = [{ ...detail.options(), view: looking.view(detail.by), fetch }];
   if (isCompared) list.push({ by: 'level', level: 0 });
   return list;
 }
@@ -92,12 +101,13 @@ function use({ frame, meshes, times, bytesThere }) {
   const [approximation, original = null] = meshes;
   state.bytesAtFirstPicture ??= bytesThere;
   state.frame = frame;
-  state.shown = { frame, vertices: approximation.vertexCount, triangles: approximation.triangleCount, rmsError: approximation.rmsError, swaps: approximation.swapCount };
+  state.shown = { frame, vertices: approximation.vertexCount, triangles: approximation.triangleCount, rmsError: approximation.rmsError, swaps: approximation.swapCount, seenError: approximation.seenError };
   if (stage.errorScale === 0) {
     stage.errorScale = 2.5 * (approximation.rmsError || state.info.tolerance || state.info.diagonal * 1e-4);
     drawLegend();
   }
   stage.setMeshes(approximation, original, approximation.labels);
+  if (state.isFirstPicture) applySettings();
   timeline.setFrame(frame, { changes: approximation.swapCount, error: approximation.rmsError });
   ++state.framesShown;
   showNumbers(approximation, times);
@@ -110,6 +120,9 @@ function showNumbers(mesh, times) {
   by('s-triangles').innerHTML = part(mesh.triangleCount, info.triangleCount);
   by('s-vertices').innerHTML = part(mesh.vertexCount, info.vertexCount);
   by('s-error').innerHTML = `${format((100 * mesh.rmsError) / (info.diagonal || 1), 2)} <small>% of diagonal</small>`;
+  const isSeen = looking.usesCamera(detail.by);
+  by('s-seen').hidden = by('s-seen-name').hidden = !isSeen;
+  by('s-seen').innerHTML = `${format(mesh.seenError, 2)} <small>px</small>`;
   let moved = 0;
   for (const one of mesh.moved) moved += one;
   by('s-moved').innerHTML = `${count(moved)} <small>of ${count(mesh.swapCount)} swaps</small>`;
@@ -138,7 +151,8 @@ function setPlaying(isPlaying) {
 
 function advance(seconds) {
   const { info } = state;
-  if (!info || !state.isPlaying || state.isShowing || timeline.isDragging) return;
+  const isWaiting = state.isShowing && state.frame !== state.wantedFrame; // not for another look at the same frame
+  if (!info || !state.isPlaying || isWaiting || timeline.isDragging) return;
   const length = frameCount() / info.framesPerSecond;
   state.clock += Math.min(seconds, 0.25) * state.speed;
   if (state.clock >= length) {
@@ -196,6 +210,7 @@ function infoArrived({ info, sizes, keys }) {
   state.info = info;
   if (isFirst) {
     stage.setStream(info, state.keepsCamera);
+    state.isFirstPicture = !state.keepsCamera;
     detail.setStream(info, { by: settings.by ?? detail.by, amount: settings.amount });
     timeline.setStream(frameCount(), info.firstFrameNumber);
     setPlaying(!('paused' in settings));
@@ -241,6 +256,72 @@ function say(heading, text, { retry = false } = {}) {
 
 // ---- The panel
 
+// Settings that need a picture to mean anything. They are of the stream that the page was opened with.
+function applySettings() {
+  state.isFirstPicture = false;
+  looking.reset();
+  const { preset } = settings;
+  looking.apply(settings);
+  if (preset in presets) applyPreset(preset);
+  for (const name of ['seen', 'outlines', 'focus', 'along', 'freeze', 'preset']) delete settings[name];
+}
+
+// The longer of the axes that lie flat.
+function bodyAxis() {
+  const { low, high } = stage.box();
+  const side = stage.up === 'y' ? 2 : 1;
+  return high[0] - low[0] >= high[side] - low[side] ? 0 : side;
+}
+
+// A place within the high end of it.
+function bodyEnd() {
+  const { low, high } = stage.box();
+  const place = low.map((x, k) => (x + high[k]) / 2);
+  const axis = bodyAxis();
+  place[axis] += 0.3 * (high[axis] - low[axis]);
+  return place;
+}
+
+const presets = {
+  plain: () => detail.setBy('triangles', state.info.triangleCount / 8),
+  pixel: () => detail.setBy('pixels', 1),
+  fig12() {
+    detail.setBy('vertices', 0.07 * state.info.vertexCount);
+    looking.setAlong(`-${'xyz'[bodyAxis()]}`);
+    look({ wireframe: true });
+  },
+  part() {
+    detail.setBy('triangles', 0.08 * state.info.triangleCount);
+    looking.setFocus({ center: bodyEnd(), radius: 0.3 * stage.sphere.radius });
+    look({ wireframe: true });
+  },
+  frozen() {
+    detail.setBy('pixels', 1);
+    by('seen').checked = true;
+    look({ wireframe: true });
+    stage.approach(bodyEnd(), 0.4);
+    looking.setFrozen(true);
+  },
+};
+
+function applyPreset(name) {
+  looking.reset();
+  stage.flight = null;
+  stage.fit(false);
+  look({ wireframe: false });
+  presets[name]();
+  by('preset').value = name;
+}
+
+function placeInset() {
+  const inset = by('inset');
+  inset.hidden = !looking.frozen;
+  if (inset.hidden) return;
+  const { left, bottom, width, height } = stage.insetBox();
+  const top = by('canvas').clientHeight - bottom - height;
+  for (const [name, value] of Object.entries({ left, top, width, height })) inset.style[name] = `${value}px`;
+}
+
 function look(change) {
   Object.assign(state.look, change);
   by('wireframe').checked = state.look.wireframe;
@@ -270,6 +351,12 @@ function placeTags() {
   by('divider').style.left = `${100 * at}%`;
   by('tag-left').style.right = `calc(${100 * (1 - at)}% + 14px)`;
   by('tag-right').style.left = `calc(${100 * at}% + 14px)`;
+}
+
+function setSplit(part) {
+  stage.split = Math.min(0.97, Math.max(0.03, part));
+  stage.isDirty = true;
+  placeTags();
 }
 
 const css = (color) => `#${color.getHexString()}`;
@@ -335,8 +422,13 @@ for (const id of ['back', 'forth', 'loop', 'more']) by(id).innerHTML = icons[id]
 by('speed').addEventListener('change', (event) => (state.speed = parseFloat(event.target.value)));
 for (const id of ['wireframe', 'flat', 'flash']) by(id).addEventListener('change', (event) => look({ [id]: event.target.checked }));
 by('colors').addEventListener('change', (event) => look({ colors: event.target.value }));
+by('preset').addEventListener('change', (event) => state.shown && event.target.value && applyPreset(event.target.value));
 by('compare').addEventListener('click', (event) => event.target.dataset.value && setCompare(event.target.dataset.value));
-by('canvas').addEventListener('dblclick', actions.fit);
+by('canvas').addEventListener('dblclick', (event) => {
+  const place = looking.focus && stage.pick(event);
+  if (place) looking.setFocus({ ...looking.focus, center: place });
+  else stage.fit();
+});
 by('canvas').addEventListener('pointerdown', () => by('panel').classList.remove('open'));
 by('file').addEventListener('change', (event) => {
   const [file] = event.target.files;
@@ -349,9 +441,7 @@ divider.addEventListener('pointerdown', (event) => divider.setPointerCapture(eve
 divider.addEventListener('pointermove', (event) => {
   if (!divider.hasPointerCapture(event.pointerId)) return;
   const box = by('stage').getBoundingClientRect();
-  stage.split = Math.min(0.97, Math.max(0.03, (event.clientX - box.left) / box.width));
-  stage.isDirty = true;
-  placeTags();
+  setSplit((event.clientX - box.left) / box.width);
 });
 
 const keys = {
@@ -369,6 +459,9 @@ const keys = {
   2: () => look({ colors: 'levels' }),
   3: () => look({ colors: 'clusters' }),
   4: () => look({ colors: 'errors' }),
+  v: () => by('seen').click(),
+  b: () => by('focus').click(),
+  z: () => by('frozen').click(),
   c: () => setCompare(COMPARE[(COMPARE.indexOf(state.compare) + 1) % COMPARE.length]),
   f: actions.fit,
   u: actions.up,
@@ -430,4 +523,4 @@ else say('Nothing is open', 'Drop a .limber stream here, or open one. “limber 
 requestAnimationFrame(tick);
 
 // For tests, and for who likes the console.
-globalThis.limberViewer = { state, stage, timeline, detail, open, seek, setPlaying, look, setCompare };
+globalThis.limberViewer = { state, stage, timeline, detail, looking, applyPreset, open, seek, setPlaying, look, setCompare, setSplit };

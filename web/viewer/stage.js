@@ -2,11 +2,12 @@
 // The picture: the approximation and, where compared, the original, under one camera.
 import {
   AmbientLight, BufferAttribute, BufferGeometry, Color, DirectionalLight, Group, HemisphereLight, Mesh,
-  MeshBasicMaterial, MeshStandardMaterial, PerspectiveCamera, Scene, Vector3, WebGLRenderer,
+  MeshBasicMaterial, MeshStandardMaterial, PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { fillGeometry } from '../limber-mesh.js';
 import { colorNodes } from './colors.js';
+import { Ball, Frustum, cameraOf } from './marks.js';
 
 const FLASH_MILLISECONDS = 420;
 
@@ -66,7 +67,10 @@ export class Stage {
     this.scene.add(this.camera, new HemisphereLight(0xdfe8f4, 0x38302a, 0.75), new AmbientLight(0xffffff, 0.12));
     this.approximation = new Shape();
     this.original = new Shape();
-    this.scene.add(this.approximation.group, this.original.group);
+    this.frustum = new Frustum();
+    this.ball = new Ball();
+    this.frozen = null;
+    this.scene.add(this.approximation.group, this.original.group, this.frustum, this.ball);
     this.look = { wireframe: false, flat: false, colors: 'none', flash: false };
     this.compare = 'off';
     this.split = 0.5;
@@ -120,6 +124,7 @@ export class Stage {
       shape.edges.visible = this.look.wireframe;
       shape.wire.color.copy(this.colors.wire);
     }
+    for (const lines of [this.frustum, this.ball]) lines.material.color.copy(this.colors.accent);
     this.repaint();
   }
 
@@ -200,18 +205,26 @@ export class Stage {
     return mode === 'clusters' || (mode === 'levels' && data.levels) || (mode === 'errors' && data.errors);
   }
 
+  // {low, high} of what is shown; null where nothing is.
+  box() {
+    const { data } = this.original.data ? this.original : this.approximation;
+    if (!data || data.vertexCount === 0) return null;
+    const low = [Infinity, Infinity, Infinity];
+    const high = [-Infinity, -Infinity, -Infinity];
+    for (let i = 0; i < data.positions.length; ++i) {
+      const axis = i % 3;
+      low[axis] = Math.min(low[axis], data.positions[i]);
+      high[axis] = Math.max(high[axis], data.positions[i]);
+    }
+    return { low, high };
+  }
+
   // A sphere around what is shown, from the side that shows the most of it.
   fit(isAnimated = true) {
-    const { data } = this.original.data ? this.original : this.approximation;
-    if (!data || data.vertexCount === 0) return;
-    const low = new Vector3(Infinity, Infinity, Infinity);
-    const high = new Vector3(-Infinity, -Infinity, -Infinity);
-    const point = new Vector3();
-    for (let v = 0; v < data.vertexCount; ++v) {
-      point.fromArray(data.positions, 3 * v);
-      low.min(point);
-      high.max(point);
-    }
+    const box = this.box();
+    if (!box) return;
+    const low = new Vector3().fromArray(box.low);
+    const high = new Vector3().fromArray(box.high);
     const size = high.clone().sub(low);
     const center = low.clone().add(high).multiplyScalar(0.5);
     const radius = Math.max(size.length() / 2, 1e-9);
@@ -225,13 +238,20 @@ export class Stage {
       direction.set(frontal ? 0.5 : 0.85, 0.32, frontal ? 0.85 : 0.5).normalize();
       if (!y) direction.set(direction.x, -direction.z, direction.y);
     }
-    const aspect = this.aspect();
-    const half = (this.camera.fov * Math.PI) / 360;
-    const narrow = Math.min(half, Math.atan(Math.tan(half) * aspect));
-    const distance = (radius / Math.sin(narrow)) * 0.92;
-    const to = { target: center, position: center.clone().addScaledVector(direction, distance) };
-    if (isAnimated && !isFirst) this.flight = { from: { target: this.controls.target.clone(), position: this.camera.position.clone() }, to, start: performance.now() };
+    const to = { target: center, position: center.clone().addScaledVector(direction, this.fitDistance(radius)) };
+    if (isAnimated && !isFirst) this.flyTo(to);
     else this.place(to);
+  }
+
+  fitDistance(radius) {
+    const half = (this.camera.fov * Math.PI) / 360;
+    const narrow = Math.min(half, Math.atan(Math.tan(half) * this.aspect()));
+    return (radius / Math.sin(narrow)) * 0.92;
+  }
+
+  flyTo(to) {
+    const from = { target: this.controls.target.clone(), position: this.camera.position.clone() };
+    this.flight = { from, to, start: performance.now() };
   }
 
   place({ target, position }) {
@@ -270,10 +290,101 @@ export class Stage {
     return (this.compare === 'side' ? w / 2 : w) / Math.max(1, h);
   }
 
-  // Units of the input that a pixel covers at the middle of what is looked at.
-  unitsPerPixel() {
-    const distance = this.camera.position.distanceTo(this.controls.target);
-    return (2 * distance * Math.tan((this.camera.fov * Math.PI) / 360)) / Math.max(1, this.canvas.clientHeight);
+  // Where it is looked from, as the view of a cut says it.
+  eye() {
+    const { camera, controls, canvas } = this;
+    const height = Math.max(1, canvas.clientHeight);
+    return {
+      camera: { eye: camera.position.toArray(), target: controls.target.toArray(), up: camera.up.toArray(), fov: camera.fov },
+      width: Math.max(1, Math.round(height * this.aspect())),
+      height,
+    };
+  }
+
+  // Shows what an eye sees as lines, its picture in a corner, and both from the side; null: no more.
+  setFrozen(eye) {
+    const back = this.frozen;
+    this.frozen = eye;
+    this.frustum.visible = eye !== null;
+    this.isDirty = true;
+    if (!eye) {
+      if (back) this.flyTo({ target: new Vector3().fromArray(back.camera.target), position: new Vector3().fromArray(back.camera.eye) });
+      return;
+    }
+    const { camera, controls } = this;
+    const { center, radius } = this.sphere ?? { center: controls.target, radius: 1 };
+    const arm = camera.position.clone().sub(center);
+    this.frustum.set(eye, arm.length() + 0.8 * radius);
+    const distance = Math.max(1.15 * this.fitDistance(radius), 1.5 * arm.length());
+    const direction = arm.clone().normalize().applyAxisAngle(camera.up, -1.2).addScaledVector(camera.up, 0.25).normalize();
+    const target = center.clone().addScaledVector(arm, 0.25);
+    this.flyTo({ target, position: target.clone().addScaledVector(direction, distance) });
+  }
+
+  // Nearer to a place, from the same side.
+  approach(place, part) {
+    const arm = this.camera.position.clone().sub(this.controls.target).multiplyScalar(part);
+    const target = new Vector3().fromArray(place);
+    this.place({ target, position: target.clone().add(arm) });
+  }
+
+  setFocus(focus) {
+    this.ball.visible = focus !== null;
+    if (focus) this.ball.set(focus);
+    this.isDirty = true;
+  }
+
+  // The place of the surface under the mouse, or null.
+  pick(event) {
+    const { canvas, camera, approximation } = this;
+    if (!approximation.data) return null;
+    const bounds = canvas.getBoundingClientRect();
+    const x = event.clientX - bounds.left;
+    const part = this.compare === 'side' ? (2 * x) % bounds.width : x;
+    const pointer = new Vector2((2 * part) / bounds.width - 1, 1 - (2 * (event.clientY - bounds.top)) / bounds.height);
+    const ray = new Raycaster();
+    ray.setFromCamera(pointer, camera);
+    approximation.geometry.boundingSphere = null; // of another frame
+    return ray.intersectObject(approximation.surface)[0]?.point.toArray() ?? null;
+  }
+
+  // Where the picture of the frozen eye lies, in pixels from the lower left.
+  insetBox() {
+    const { clientWidth: w, clientHeight: h } = this.canvas;
+    const aspect = this.frozen.width / this.frozen.height;
+    const height = Math.round(Math.min(0.3 * h, (0.34 * w) / aspect));
+    return { left: 14, bottom: 14, width: Math.round(height * aspect), height };
+  }
+
+  // With the lights of the frozen eye.
+  drawInset() {
+    const { renderer, camera } = this;
+    const { left, bottom, width, height } = this.insetBox();
+    const kept = camera.clone(false);
+    const eye = cameraOf(this.frozen);
+    const wereVisible = [this.frustum.visible, this.ball.visible];
+    this.frustum.visible = this.ball.visible = false;
+    for (const from of [eye, kept]) {
+      camera.position.copy(from.position);
+      camera.quaternion.copy(from.quaternion);
+      camera.aspect = from.aspect;
+      camera.near = kept.near;
+      camera.far = kept.far;
+      if (from === eye) {
+        const distance = eye.position.distanceTo(new Vector3().fromArray(this.frozen.camera.target));
+        camera.near = distance / 200;
+        camera.far = distance + 8 * (this.sphere?.radius ?? 1);
+      }
+      camera.updateProjectionMatrix();
+      camera.updateMatrixWorld();
+      if (from === kept) break;
+      this.approximation.group.visible = true;
+      this.original.group.visible = false;
+      renderer.setViewport(left, bottom, width, height);
+      renderer.setScissor(left, bottom, width, height);
+      renderer.render(this.scene, camera);
+    }
+    [this.frustum.visible, this.ball.visible] = wereVisible;
   }
 
   // Draws where anything has changed. Gives whether it did.
@@ -311,6 +422,7 @@ export class Stage {
       show(this.original, full, [0, 0, left, h]);
       show(this.approximation, full, [left, 0, w - left, h]);
     }
+    if (this.frozen && this.approximation.data) this.drawInset();
     return true;
   }
 }

@@ -22,6 +22,7 @@
 #include "limber/view/moved_vertices.h"
 #include "limber/view/player.h"
 #include "limber/view/vertex_errors.h"
+#include "limber/view/view.h"
 
 using namespace limber;
 
@@ -94,18 +95,73 @@ bool give(const T& value, T* to) {
   return true;
 }
 
-// The members that the caller's structure has; the others by default.
-std::optional<limber_cut_options> take(const limber_cut_options* from) {
+// The members that the caller's structure has; the others stay as they are.
+template <class T>
+bool take(const T* from, T& to) {
+  if (!from || from->struct_size < sizeof(from->struct_size)) return false;
+  std::memcpy(static_cast<void*>(&to), from, std::min<std::size_t>(from->struct_size, sizeof(T)));
+  return true;
+}
+
+std::optional<limber_cut_options> take_options(const limber_cut_options* from) {
   limber_cut_options options = LIMBER_CUT_DEFAULTS;
-  if (!from || from->struct_size < sizeof(from->struct_size)) return std::nullopt;
-  std::memcpy(&options, from, std::min<std::size_t>(from->struct_size, sizeof(options)));
-  const bool is_valid = options.by <= LIMBER_BY_ERROR && options.error_bound >= 0 && options.hysteresis >= 1;
+  const bool is_valid = take(from, options) && options.by <= LIMBER_BY_ERROR && options.error_bound >= 0 &&
+                        options.hysteresis >= 1 && options.hold <= 1 && options.enough >= 0;
   return is_valid ? std::optional(options) : std::nullopt;
+}
+
+// In single precision squares of what is below this are finite.
+constexpr double kFarthest = 1e18;
+
+bool is_near(double x) { return std::abs(x) < kFarthest; }
+
+std::optional<Vec3d> take_place(const double (&from)[3]) {
+  const bool is_valid = is_near(from[0]) && is_near(from[1]) && is_near(from[2]);
+  return is_valid ? std::optional(Vec3d{from[0], from[1], from[2]}) : std::nullopt;
+}
+
+bool is_factor(float x) { return x >= 1 && is_near(x); }
+
+std::optional<Camera> take_camera(const limber_view& view) {
+  const auto eye = take_place(view.eye), target = take_place(view.target), up = take_place(view.up);
+  if (!eye || !target || !up || !(view.fov_degrees > 0 && view.fov_degrees <= 120)) return std::nullopt;
+  if (view.width == 0 || view.height == 0 || !is_factor(view.silhouettes) || !is_factor(view.facing_away))
+    return std::nullopt;
+  return Camera{.eye = *eye, .target = *target, .up = *up, .fov_degrees = view.fov_degrees};
+}
+
+std::optional<Focus> take_focus(const limber_view& view) {
+  const auto center = take_place(view.focus_center);
+  if (!center || !(view.focus_radius > 0) || !is_near(view.focus_radius) || !is_factor(view.focus_outside))
+    return std::nullopt;
+  return Focus{.center = *center, .radius = view.focus_radius, .outside = view.focus_outside};
+}
+
+std::optional<Along> take_along(const limber_view& view) {
+  if (view.along_axis > 2 || !is_near(view.along_from) || !is_near(view.along_to) || !is_factor(view.along_coarsest))
+    return std::nullopt;
+  return Along{.axis = static_cast<int>(view.along_axis),
+               .from = view.along_from,
+               .to = view.along_to,
+               .coarsest = view.along_coarsest};
+}
+
+std::optional<View> take_view(const limber_view* from) {
+  limber_view given = LIMBER_VIEW_DEFAULTS;
+  if (!take(from, given)) return std::nullopt;
+  const auto looks_at = [&](std::uint32_t criterion) { return (given.criteria & criterion) != 0; };
+  View view{
+      .width = given.width, .height = given.height, .silhouettes = given.silhouettes, .facing_away = given.facing_away};
+  if (looks_at(LIMBER_VIEW_CAMERA) && !(view.camera = take_camera(given))) return std::nullopt;
+  if (looks_at(LIMBER_VIEW_FOCUS) && !(view.focus = take_focus(given))) return std::nullopt;
+  if (looks_at(LIMBER_VIEW_ALONG) && !(view.along = take_along(given))) return std::nullopt;
+  constexpr std::uint32_t kKnown = LIMBER_VIEW_CAMERA | LIMBER_VIEW_FOCUS | LIMBER_VIEW_ALONG;
+  return (given.criteria & ~kKnown) == 0 ? std::optional(view) : std::nullopt;
 }
 
 bool is_same(const CutOptions& a, const CutOptions& b) {
   return a.by == b.by && a.level == b.level && a.budget == b.budget && a.error_bound == b.error_bound &&
-         a.hysteresis == b.hysteresis;
+         a.hysteresis == b.hysteresis && a.hold == b.hold && a.enough == b.enough;
 }
 
 void list_levels(const Hierarchy& hierarchy, std::span<const Index> nodes, std::vector<std::uint8_t>& levels) {
@@ -339,18 +395,25 @@ void limber_cut_destroy(limber_cut* cut) { delete cut; }
 limber_status limber_cut_update(limber_cut* cut, const limber_cut_options* options, limber_mesh* mesh) {
   const limber_player& player = cut->of;
   if (limber_shown_frame(&player) == LIMBER_NONE) return player.fail(LIMBER_NEEDS_MORE, "no frame is shown");
-  const auto chosen = take(options);
+  const auto chosen = take_options(options);
   if (!chosen) return player.fail(LIMBER_WRONG_CALL, "limber_cut_update: options outside their ranges");
+  const std::optional<View> view = chosen->view ? take_view(chosen->view) : std::nullopt;
+  if (chosen->view && !view) return player.fail(LIMBER_WRONG_CALL, "limber_cut_update: a view outside its ranges");
   const CutOptions cut_options{.by = static_cast<CutBy>(chosen->by),
                                .level = chosen->level,
                                .budget = chosen->budget,
                                .error_bound = chosen->error_bound,
-                               .hysteresis = chosen->hysteresis};
+                               .hysteresis = chosen->hysteresis,
+                               .hold = chosen->hold != 0,
+                               .enough = chosen->enough};
   const Mesh& finest = player.player.mesh();
   const FrameState& state = player.player.state();
   if (!cut->cut) cut->cut.emplace(finest, state.hierarchy, cut_options);
   if (!is_same(cut->cut->options(), cut_options)) cut->cut->set_options(cut_options);
-  cut->cut->update(finest, state);
+  if (view)
+    cut->cut->update(finest, state, *view);
+  else
+    cut->cut->update(finest, state);
   extract(finest, state, *cut->cut, cut->scratch, cut->buffers);
 
   const MeshBuffers& buffers = cut->buffers;
@@ -364,6 +427,7 @@ limber_status limber_cut_update(limber_cut* cut, const limber_cut_options* optio
   value.indices = buffers.indices.data();
   value.nodes = buffers.nodes.data();
   value.labels = cut->cut->labels().data();
+  value.seen_error = view ? cut->cut->seen_error() : 0;
   if ((chosen->fetch & LIMBER_FETCH_LEVELS) != 0) {
     list_levels(state.hierarchy, buffers.nodes, cut->levels);
     value.levels = cut->levels.data();
