@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "limber/hierarchy/change_budget.h"
+
+#include <gtest/gtest.h>
+#include <set>
+
+#include "limber/base/triangles.h"
+#include "limber/hierarchy/swap_validity.h"
+#include "tests/hierarchy/weighed.h"
+
+namespace limber {
+namespace {
+
+using test::Shape;
+
+std::vector<LevelGraph> graphs_of(const Shape& shape, const Hierarchy& h) {
+  std::vector<LevelGraph> graphs;
+  for (Index level = 0; level < h.level_count(); ++level) graphs.push_back(test::graph_of(shape.mesh, h, level, false));
+  return graphs;
+}
+
+// Each with its smallest corner first.
+std::set<Triangle> triangles_of(const Shape& shape, const Hierarchy& h, Index level) {
+  std::vector<Triangle> triangles;
+  list_images(shape.mesh.triangles, test::ancestors(h, level), triangles);
+  std::set<Triangle> rotated;
+  for (Triangle t : triangles) {
+    std::rotate(t.begin(), std::ranges::min_element(t), t.end());
+    rotated.insert(t);
+  }
+  return rotated;
+}
+
+// Every valid swap of finest vertices that the budget allows; how many it does not.
+std::size_t swap_all(Clustering& clusters, ChangeBudget& budget, const LevelGraph& graph) {
+  SwapValidity is_valid(clusters.hierarchy(), clusters.children(), Topology::kPreserve);
+  std::size_t refused = 0;
+  for (Index node = 0; node < graph.size(); ++node) {
+    for (const Index n : graph.around(node)) {
+      const Index to = clusters.parent(n);
+      if (to == clusters.parent(node) || clusters.has_one_child(clusters.parent(node))) continue;
+      if (is_valid(graph, node, to)) refused += budget.move(clusters, graph, node, to) ? 0 : 1;
+    }
+  }
+  return refused;
+}
+
+TEST(ChangeBudget, NeverMakesMoreNewTrianglesOnAnyLevelThanItMay) {
+  for (const Shape& shape : {test::jittered(test::sphere(4), 0.02f, 4), test::waved(test::sheet(30, 25))}) {
+    for (const double share : {0.0, 0.02, 0.1, 0.5}) {
+      Clustering clusters = test::weighed(shape, 3);
+      const Hierarchy before = clusters.hierarchy();
+      ChangeBudget budget(clusters.hierarchy());
+      const std::vector<LevelGraph> graphs = graphs_of(shape, before);
+      budget.limit(graphs, share);
+      EXPECT_GT(swap_all(clusters, budget, graphs[0]), 0u);
+      std::size_t all = 0;
+      for (Index level = 1; level < before.level_count(); ++level) {
+        const std::set<Triangle> old = triangles_of(shape, before, level),
+                                 now = triangles_of(shape, clusters.hierarchy(), level);
+        const auto fresh = std::ranges::count_if(now, [&](const Triangle& t) { return !old.contains(t); });
+        EXPECT_LE(static_cast<double>(fresh), share * static_cast<double>(old.size())) << "level " << level;
+        all += static_cast<std::size_t>(fresh);
+      }
+      EXPECT_EQ(all > 0, share > 0);
+    }
+  }
+}
+
+TEST(ChangeBudget, RefusesNothingWithoutALimit) {
+  const Shape shape = test::jittered(test::sphere(4), 0.02f, 4);
+  Clustering clusters = test::weighed(shape, 3);
+  ChangeBudget budget(clusters.hierarchy());
+  EXPECT_FALSE(budget.is_limited());
+  EXPECT_EQ(swap_all(clusters, budget, test::graph_of(shape.mesh, clusters.hierarchy(), 0, false)), 0u);
+}
+
+TEST(ChangeBudget, LeavesTheHierarchyAsItWasWhereItRefuses) {
+  const Shape shape = test::waved(test::sheet(30, 25));
+  Clustering clusters = test::weighed(shape, 3);
+  const Hierarchy before = clusters.hierarchy();
+  ChangeBudget budget(clusters.hierarchy());
+  const std::vector<LevelGraph> graphs = graphs_of(shape, before);
+  budget.limit(graphs, 0);
+  ASSERT_TRUE(budget.is_limited());
+  swap_all(clusters, budget, graphs[0]);
+  // What changes no triangle is free: what is left has moved along with all that was around it.
+  for (Index level = 1; level < before.level_count(); ++level)
+    EXPECT_EQ(triangles_of(shape, clusters.hierarchy(), level), triangles_of(shape, before, level));
+}
+
+TEST(ChangeBudget, GivesBackWhatWasSpentSinceItWasKept) {
+  const Shape shape = test::jittered(test::sphere(4), 0.02f, 4);
+  Clustering clusters = test::weighed(shape, 3);
+  const Hierarchy before = clusters.hierarchy();
+  ChangeBudget budget(clusters.hierarchy());
+  const std::vector<LevelGraph> graphs = graphs_of(shape, before);
+  budget.limit(graphs, 0.05);
+  budget.keep();
+  const std::size_t refused = swap_all(clusters, budget, graphs[0]);
+  Clustering again = test::weighed(shape, 3), later = test::weighed(shape, 3);
+  EXPECT_GT(swap_all(again, budget, graphs[0]), refused);  // nearly all is spent
+  budget.undo();
+  EXPECT_EQ(swap_all(later, budget, graphs[0]), refused);
+  EXPECT_EQ(later.hierarchy(), clusters.hierarchy());
+}
+
+}  // namespace
+}  // namespace limber
