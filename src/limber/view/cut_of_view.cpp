@@ -30,9 +30,13 @@ float largest(std::span<const float> values) {
 
 void Cut::expand_by_seen_error(float limit) {
   const float kept = limit / options_.hysteresis;
-  const float squares[2] = {limit * limit, kept * kept};
-  const std::span<const float> errors = looking_->errors.squares();
-  for (std::size_t n = 0; n < expanded_.size(); ++n) expanded_[n] = errors[n] > squares[expanded_[n]];
+  const float square = limit * limit, kept_square = kept * kept;  // kept <= limit
+  const float* errors = looking_->errors.squares().data();
+  std::uint8_t* expanded = expanded_.data();
+  for (std::size_t n = 0; n < expanded_.size(); ++n) {
+    const bool is_beyond = errors[n] > square, stays = errors[n] > kept_square;
+    expanded[n] = static_cast<std::uint8_t>(is_beyond | (expanded[n] & stays));
+  }
 }
 
 // The coarsest nodes around the vertex, its own first: where that is fine and its neighbours are not, they are to
