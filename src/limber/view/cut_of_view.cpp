@@ -75,12 +75,10 @@ void Cut::hold(const Mesh& mesh, const FrameState& state, float limit) {
   const DrawnSurface drawn{state.positions, labels_, weights.weights()};
   witnesses.find(mesh, stars, drawn, limit);
   drawn_witnesses.begin();
-  constexpr std::span<const std::uint8_t> kAll;
-  bool has_expanded = false;
+  std::span<const std::uint8_t> changed;  // at first all
   for (;;) {
-    witnesses.find_for_sides(mesh, stars, drawn, limit,
-                             has_expanded ? std::span<const std::uint8_t>(has_changed) : kAll);
-    drawn_witnesses.find(mesh, stars, drawn, errors.weights(), limit);
+    witnesses.find_for_sides(mesh, stars, drawn, limit, changed);
+    drawn_witnesses.find(mesh, stars, drawn, errors.weights(), limit, changed);
     bool expands = false;
     for (const auto& [node, square] : drawn_witnesses.failing()) {
       expanded_[node - mesh.vertex_count] = 1;
@@ -89,11 +87,11 @@ void Cut::hold(const Mesh& mesh, const FrameState& state, float limit) {
     }
     for (const Index v : witnesses.failing()) expands |= expand_around(mesh, state.hierarchy, v);
     if (!expands) break;
-    has_expanded = true;
     relabel_vertices(state.hierarchy);
+    changed = has_changed;
     witnesses.find_again(mesh, stars, drawn, limit, has_changed);
   }
-  if (has_expanded) label_nodes(state.hierarchy);
+  if (!changed.empty()) label_nodes(state.hierarchy);
   seen_error = std::sqrt(std::max({largest(witnesses.squared_bounds()), witnesses.largest_side_square(),
                                    drawn_witnesses.largest_square()})) /
                kHeld;
