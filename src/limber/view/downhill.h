@@ -45,7 +45,7 @@ inline NearFace walk_downhill(const Mesh& mesh, const Stars& stars, std::span<co
     better = false;
     const Triangle around = mesh.triangles[near.face];
     for (const Index corner : around) {
-      if ((corner != tried[0]) & (corner != tried[1]) & (corner != tried[2])) better |= try_star(corner);
+      if (corner != tried[0] && corner != tried[1] && corner != tried[2]) better |= try_star(corner);
     }
     tried = around;
   }

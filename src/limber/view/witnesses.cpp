@@ -22,7 +22,7 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr int kSweeps = 12;
 
 // As == says, without a call.
-bool is_same(const Triangle& a, const Triangle& b) { return (a[0] == b[0]) & (a[1] == b[1]) & (a[2] == b[2]); }
+bool is_same(const Triangle& a, const Triangle& b) { return a[0] == b[0] && a[1] == b[1] && a[2] == b[2]; }
 
 // The square of the distance of a place to the image of a face; infinite where that is not drawn.
 float squared_distance_to_image(const DrawnSurface& drawn, const Vec3f& place, const Triangle& face) {
