@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "limber/stream/clusters.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include "tests/stream/sample_clip.h"
+#include "tests/view/patches.h"
 
 namespace limber {
 namespace {
@@ -59,6 +61,44 @@ TEST_F(ClustersOfAStrip, AClusterThatAllHaveLeftHasNoChildren) {
   clusters_.apply({1, 7});
   EXPECT_FALSE(clusters_.has_children(6));
   EXPECT_EQ(candidates(1, 6), (std::vector<Index>{}));
+}
+
+// By the definition: edges from the vertices below a node to those of other clusters of its level.
+TEST(Clusters, CandidatesAreThoseThatTheEdgesLeadToOnEveryLevel) {
+  const test::Surface torus = test::torus(16, 24);
+  const FrameState state = test::patch_state(torus, {384, 120, 40, 15, 6, 2});
+  const auto& [level_begin, parent] = state.hierarchy;
+  const IndexLists neighbors = limber::neighbors(torus.mesh, incident_triangles(torus.mesh));
+  Clusters clusters(level_begin, neighbors);
+  for (Index node = 0; node < level_begin[5]; ++node) clusters.place({node, parent[node]});
+  const auto above = [&parent = parent](Index vertex, Index level) {
+    while (level-- > 0) vertex = parent[vertex];
+    return vertex;
+  };
+  for (Index level = 0; level < 5; ++level) {
+    for (Index node = level_begin[level]; node < level_begin[level + 1]; ++node) {
+      std::vector<std::uint32_t> counts(level_begin.back(), 0);
+      for (Index v = 0; v < torus.mesh.vertex_count; ++v) {
+        if (above(v, level) != node) continue;
+        for (const Index neighbor : neighbors[v])
+          if (above(neighbor, level) != node) ++counts[above(neighbor, level + 1)];
+      }
+      std::uint32_t own = 0;
+      const auto candidates = clusters.candidates(level, node, own);
+      EXPECT_EQ(own, counts[parent[node]]);
+      counts[parent[node]] = 0;
+      for (std::size_t i = 0; i < candidates.size(); ++i) {
+        EXPECT_EQ(candidates[i].edge_count, counts[candidates[i].parent]);
+        counts[candidates[i].parent] = 0;
+        if (i == 0) continue;
+        EXPECT_GE(candidates[i - 1].edge_count, candidates[i].edge_count);
+        if (candidates[i - 1].edge_count == candidates[i].edge_count) {
+          EXPECT_LT(candidates[i - 1].parent, candidates[i].parent);
+        }
+      }
+      EXPECT_EQ(std::count(counts.begin(), counts.end(), 0u), static_cast<std::ptrdiff_t>(counts.size()));
+    }
+  }
 }
 
 }  // namespace

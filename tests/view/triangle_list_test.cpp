@@ -113,6 +113,41 @@ TEST(TriangleList, UsedAgainForEveryFrameIsWhatTheDefinitionSays) {
   }
 }
 
+// Images all of whose finest triangles are among those asked for are listed as they are in the whole list.
+TEST(TriangleList, AroundVerticesListsWhatFollowsFromTheirTriangles) {
+  const Surface surface = test::torus(16, 24);
+  FrameState state = test::patch_state(surface, {384, 96, 24});
+  Cut cut(surface.mesh, state.hierarchy, {.by = CutBy::kVertices, .budget = 60});
+  cut.update(surface.mesh, state);
+  TriangleList whole, around, expected;
+  list_triangles(surface.mesh, cut.labels(), whole);
+  const Index node = whole.triangles[whole.triangles.size() / 2][0];
+  std::vector<std::uint8_t> vertices(surface.mesh.vertex_count, 0);
+  for (Index v = 0; v < surface.mesh.vertex_count; ++v) vertices[v] = cut.labels()[v] == node;
+  list_triangles_around(surface.mesh, cut.labels(), vertices, around);
+  for (std::size_t i = 0; i < whole.triangles.size(); ++i) {
+    const Triangle& t = whole.triangles[i];
+    if (std::find(t.begin(), t.end(), node) == t.end()) continue;
+    expected.triangles.push_back(t);
+    expected.faces.push_back(whole.faces[i]);
+  }
+  ASSERT_FALSE(expected.triangles.empty());
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < around.triangles.size(); ++i) {
+    const Triangle& t = around.triangles[i];
+    if (std::find(t.begin(), t.end(), node) == t.end()) continue;
+    ASSERT_LT(found, expected.triangles.size());
+    EXPECT_EQ(t, expected.triangles[found]);
+    EXPECT_EQ(around.faces[i], expected.faces[found++]);
+  }
+  EXPECT_EQ(found, expected.triangles.size());
+  list_triangles_around(surface.mesh, cut.labels(), std::vector<std::uint8_t>(384, 1), around);
+  EXPECT_EQ(around.triangles, whole.triangles);
+  EXPECT_EQ(around.faces, whole.faces);
+  list_triangles_around(surface.mesh, cut.labels(), std::vector<std::uint8_t>(384, 0), around);
+  EXPECT_TRUE(around.triangles.empty());
+}
+
 TEST(TriangleList, IsNoLongerThanATriangleBudget) {
   const Surface s = test::torus(30, 40);
   FrameState state = test::patch_state(s, {1200, 150, 20});

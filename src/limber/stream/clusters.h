@@ -49,8 +49,18 @@ class Clusters {
   std::span<const Candidate> candidates(Index level, Index node, std::uint32_t& own_edge_count);
 
  private:
-  template <class Visit>
-  void for_each_vertex(Index level, Index node, Visit&& visit) const;
+  // What a cluster of finest vertices lies in, as far as this round has asked.
+  struct LookedUp {
+    std::uint32_t round = 0;
+    Index cluster = kNone;
+  };
+
+  // The cluster at the far end of each finest edge that leaves a vertex below the node; level_begin().back() where that
+  // is the node itself, or has none yet.
+  template <class Count>
+  void for_each_edge_out(Index level, Index node, Count&& count);
+  template <class Count>
+  void for_each_edge_out_of_fine(Index level, Index node, Count&& count) const;
 
   std::span<const Index> level_begin_;
   const IndexLists& neighbors_;
@@ -59,6 +69,9 @@ class Clusters {
   std::vector<std::uint32_t> edge_count_;  // [node_count + 1], the last for no cluster; 0 between calls
   std::vector<Index> found_;               // scratch: clusters whose count is not 0
   std::vector<Candidate> candidates_;
+  std::vector<Index> below_;         // scratch: nodes below one, level by level
+  std::vector<LookedUp> looked_up_;  // [size of level 1]
+  std::uint32_t round_ = 0;
   std::vector<std::uint8_t> changed_;
 };
 

@@ -127,7 +127,25 @@ void Cut::count_children(const Hierarchy& hierarchy) {
 }
 
 // A node can be drawn iff it has some, but not as many finest vertices with surface as the part of the mesh it lies in.
+// Where all of the mesh is one part, a node has all of it iff no other of its level has any.
 void Cut::find_drawn(const Hierarchy& hierarchy) {
+  if (has_parts_) return find_drawn_among_parts(hierarchy);
+  const Index base = hierarchy.vertex_count();
+  const std::uint32_t* children = surface_children_.data();
+  std::uint8_t* is_drawn = is_drawn_.data();
+  for (Index level = 1; level < hierarchy.level_count(); ++level) {
+    const Index begin = hierarchy.level_begin[level] - base, end = hierarchy.level_begin[level + 1] - base;
+    Index count = 0;
+    for (Index n = begin; n < end; ++n) {
+      const bool has_surface = children[n] != 0;
+      is_drawn[n] = has_surface;
+      count += Index{has_surface};
+    }
+    if (count == 1) std::fill(is_drawn + begin, is_drawn + end, std::uint8_t{0});
+  }
+}
+
+void Cut::find_drawn_among_parts(const Hierarchy& hierarchy) {
   const Index base = hierarchy.vertex_count();
   const Index top_begin = hierarchy.level_begin[hierarchy.level_count() - 1];
   const Index* parents = hierarchy.parent.data();
@@ -137,10 +155,8 @@ void Cut::find_drawn(const Hierarchy& hierarchy) {
   std::copy_n(surface_children_.begin(), level_1_end - base, vertices_below_.begin());
   std::fill(vertices_below_.begin() + (level_1_end - base), vertices_below_.end(), 0);
   std::fill(part_size_below_.begin(), part_size_below_.end(), largest_part_);
-  if (has_parts_) {
-    for (Index v = 0; v < base; ++v) {
-      if (has_surface_[v]) part_size[parents[v] - base] = part_size_[v];
-    }
+  for (Index v = 0; v < base; ++v) {
+    if (has_surface_[v]) part_size[parents[v] - base] = part_size_[v];
   }
   for (Index n = base; n < top_begin; ++n) {
     const Index parent = parents[n] - base;

@@ -107,6 +107,7 @@ class Cut {
   void count_finest_children(const Hierarchy& hierarchy);
   void count_children(const Hierarchy& hierarchy);
   void find_drawn(const Hierarchy& hierarchy);
+  void find_drawn_among_parts(const Hierarchy& hierarchy);
   std::uint32_t price_vertices(const Hierarchy& hierarchy);
   std::uint32_t price_triangles(const Mesh& mesh, const Hierarchy& hierarchy);
   void expand_down_to_level(const Hierarchy& hierarchy);

@@ -30,9 +30,13 @@ float largest(std::span<const float> values) {
 
 void Cut::expand_by_seen_error(float limit) {
   const float kept = limit / options_.hysteresis;
-  const float squares[2] = {limit * limit, kept * kept};
-  const std::span<const float> errors = looking_->errors.squares();
-  for (std::size_t n = 0; n < expanded_.size(); ++n) expanded_[n] = errors[n] > squares[expanded_[n]];
+  const float square = limit * limit, kept_square = kept * kept;  // kept <= limit
+  const float* errors = looking_->errors.squares().data();
+  std::uint8_t* expanded = expanded_.data();
+  for (std::size_t n = 0; n < expanded_.size(); ++n) {
+    const bool is_beyond = errors[n] > square, stays = errors[n] > kept_square;
+    expanded[n] = static_cast<std::uint8_t>(is_beyond | (expanded[n] & stays));
+  }
 }
 
 // The coarsest nodes around the vertex, its own first: where that is fine and its neighbours are not, they are to
@@ -71,12 +75,10 @@ void Cut::hold(const Mesh& mesh, const FrameState& state, float limit) {
   const DrawnSurface drawn{state.positions, labels_, weights.weights()};
   witnesses.find(mesh, stars, drawn, limit);
   drawn_witnesses.begin();
-  constexpr std::span<const std::uint8_t> kAll;
-  bool has_expanded = false;
+  std::span<const std::uint8_t> changed;  // at first all
   for (;;) {
-    witnesses.find_for_sides(mesh, stars, drawn, limit,
-                             has_expanded ? std::span<const std::uint8_t>(has_changed) : kAll);
-    drawn_witnesses.find(mesh, stars, drawn, errors.weights(), limit);
+    witnesses.find_for_sides(mesh, stars, drawn, limit, changed);
+    drawn_witnesses.find(mesh, stars, drawn, errors.weights(), limit, changed);
     bool expands = false;
     for (const auto& [node, square] : drawn_witnesses.failing()) {
       expanded_[node - mesh.vertex_count] = 1;
@@ -85,11 +87,11 @@ void Cut::hold(const Mesh& mesh, const FrameState& state, float limit) {
     }
     for (const Index v : witnesses.failing()) expands |= expand_around(mesh, state.hierarchy, v);
     if (!expands) break;
-    has_expanded = true;
     relabel_vertices(state.hierarchy);
+    changed = has_changed;
     witnesses.find_again(mesh, stars, drawn, limit, has_changed);
   }
-  if (has_expanded) label_nodes(state.hierarchy);
+  if (!changed.empty()) label_nodes(state.hierarchy);
   seen_error = std::sqrt(std::max({largest(witnesses.squared_bounds()), witnesses.largest_side_square(),
                                    drawn_witnesses.largest_square()})) /
                kHeld;

@@ -40,10 +40,14 @@ inline NearFace walk_downhill(const Mesh& mesh, const Stars& stars, std::span<co
     return better;
   };
   bool better = try_star(start);
+  Triangle tried{start, start, start};  // there is nothing nearer around these
   for (int step = 0; step < kSteps && better && near.square > enough; ++step) {
     better = false;
     const Triangle around = mesh.triangles[near.face];
-    for (const Index corner : around) better |= try_star(corner);
+    for (const Index corner : around) {
+      if (corner != tried[0] && corner != tried[1] && corner != tried[2]) better |= try_star(corner);
+    }
+    tried = around;
   }
   return near;
 }

@@ -43,7 +43,7 @@ float DrawnWitnesses::bound(const Mesh& mesh, const Stars& stars, const DrawnSur
 }
 
 void DrawnWitnesses::find(const Mesh& mesh, const Stars& stars, const DrawnSurface& drawn,
-                          std::span<const float> weights, float limit) {
+                          std::span<const float> weights, float limit, std::span<const std::uint8_t> has_changed) {
   assert(weights.size() == node_faces_.size());
   const Index base = mesh.vertex_count;
   const float most = limit * limit;
@@ -56,7 +56,11 @@ void DrawnWitnesses::find(const Mesh& mesh, const Stars& stars, const DrawnSurfa
       failing_.push_back({node, square});
     }
   };
-  list_triangles(mesh, drawn.labels, list_);
+  if (has_changed.empty()) {
+    list_triangles(mesh, drawn.labels, list_);
+  } else {
+    list_triangles_around(mesh, drawn.labels, has_changed, list_);
+  }
   for (std::size_t i = 0; i < list_.triangles.size(); ++i) {
     const Triangle& image = list_.triangles[i];
     const Triangle& face = mesh.triangles[list_.faces[i]];

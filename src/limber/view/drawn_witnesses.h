@@ -28,9 +28,10 @@ class DrawnWitnesses {
   // of its centre; the sides and triangles of finest vertices alone are the surface itself. Only what was not drawn at
   // the calls since begin() is looked at. First the witness of the frame before is tried, then those downhill from a
   // vertex below. `weights`: [node_count - vertex_count], of nodes; a place between nodes has the largest of theirs.
+  // Where has_changed, [vertex_count], is not empty, only labels of these vertices have changed since the last call.
   // Does not allocate.
   void find(const Mesh& mesh, const Stars& stars, const DrawnSurface& drawn, std::span<const float> weights,
-            float limit);
+            float limit, std::span<const std::uint8_t> has_changed = {});
 
   // A sample without a witness within the limit: the coarsest node that it lies between, and its bound.
   struct Failure {

@@ -16,15 +16,18 @@ namespace limber {
 
 namespace {
 
-// Writes the living finest triangles to the front of `faces` ([triangles.size()]) and gives their number.
-std::size_t keep_living(const Mesh& mesh, const Index* labels, Index* faces) {
+// Writes the living finest triangles of those asked for to the front of `faces` ([triangles.size()]) and gives their
+// number.
+template <class IsAsked>
+[[gnu::noinline]] std::size_t keep_living(const Mesh& mesh, const Index* labels, Index* faces, IsAsked is_asked) {
   std::size_t kept = 0;
+  const Triangle* triangles = mesh.triangles.data();
   const auto face_count = static_cast<Index>(mesh.triangles.size());
   for (Index face = 0; face < face_count; ++face) {
-    const Triangle& t = mesh.triangles[face];
+    const Triangle& t = triangles[face];
     const Index a = labels[t[0]], b = labels[t[1]], c = labels[t[2]];
     faces[kept] = face;
-    kept += static_cast<std::size_t>((a != b) & (b != c) & (c != a));
+    kept += static_cast<std::size_t>((a != b) & (b != c) & (c != a) & is_asked(t));
   }
   return kept;
 }
@@ -54,13 +57,12 @@ bool is_first(Index a, Index b, Index c, Index number, const Triangle* triangles
   }
 }
 
-}  // namespace
-
-void list_triangles(const Mesh& mesh, std::span<const Index> label_of, TriangleList& list) {
+template <class IsAsked>
+void list_those(const Mesh& mesh, std::span<const Index> label_of, TriangleList& list, IsAsked is_asked) {
   assert(label_of.size() >= mesh.vertex_count);
   const Index* labels = label_of.data();
   list.living.resize(mesh.triangles.size());
-  const std::size_t living = keep_living(mesh, labels, list.living.data());
+  const std::size_t living = keep_living(mesh, labels, list.living.data(), is_asked);
   list.triangles.resize(living);
   list.faces.resize(living);
   // At most a quarter full, so that the first slot looked at is nearly always empty.
@@ -79,6 +81,19 @@ void list_triangles(const Mesh& mesh, std::span<const Index> label_of, TriangleL
   }
   list.triangles.resize(kept);
   list.faces.resize(kept);
+}
+
+}  // namespace
+
+void list_triangles(const Mesh& mesh, std::span<const Index> labels, TriangleList& list) {
+  list_those(mesh, labels, list, [](const Triangle&) { return true; });
+}
+
+void list_triangles_around(const Mesh& mesh, std::span<const Index> labels, std::span<const std::uint8_t> vertices,
+                           TriangleList& list) {
+  assert(vertices.size() == mesh.vertex_count);
+  list_those(mesh, labels, list,
+             [is_in = vertices.data()](const Triangle& t) { return (is_in[t[0]] | is_in[t[1]] | is_in[t[2]]) != 0; });
 }
 
 }  // namespace limber

@@ -3,6 +3,7 @@
 // Part of the player: standard library only.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -24,5 +25,10 @@ struct TriangleList {
 // repetitions survive. Two images that differ only in their orientation are both kept (a flat fold seen from
 // either side). Allocates only where the list has not been as long before.
 void list_triangles(const Mesh& mesh, std::span<const Index> labels, TriangleList& list);
+
+// The same of those finest triangles alone that have one of the vertices (not 0 in `vertices`, [mesh.vertex_count]) as
+// a corner.
+void list_triangles_around(const Mesh& mesh, std::span<const Index> labels, std::span<const std::uint8_t> vertices,
+                           TriangleList& list);
 
 }  // namespace limber

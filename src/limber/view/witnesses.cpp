@@ -21,6 +21,9 @@ namespace {
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr int kSweeps = 12;
 
+// As == says, without a call.
+bool is_same(const Triangle& a, const Triangle& b) { return a[0] == b[0] && a[1] == b[1] && a[2] == b[2]; }
+
 // The square of the distance of a place to the image of a face; infinite where that is not drawn.
 float squared_distance_to_image(const DrawnSurface& drawn, const Vec3f& place, const Triangle& face) {
   const Index a = drawn.labels[face[0]], b = drawn.labels[face[1]], c = drawn.labels[face[2]];
@@ -64,7 +67,7 @@ void Witnesses::improve_side(const Mesh& mesh, const Stars& stars, const DrawnSu
       if (side.square <= enough) return;
       offer_side(face);
       for (const Index corner : face) {
-        if (faces_[corner] == tried) continue;
+        if (is_same(faces_[corner], tried)) continue;
         tried = faces_[corner];
         offer_side(tried);
       }
@@ -85,7 +88,7 @@ void Witnesses::find_for_sides(const Mesh& mesh, const Stars& stars, const Drawn
   if (has_changed.empty()) largest_side_square_ = 0;
   for (Side& side : sides_) {
     const auto [u, v] = std::pair(side.from, side.to);
-    if (faces_[u] == faces_[v]) continue;
+    if (is_same(faces_[u], faces_[v])) continue;
     if (!has_changed.empty() && !is_touched(side, has_changed)) continue;
     const Vec3f middle = 0.5f * (drawn.positions[u] + drawn.positions[v]);
     const float weight = std::max(drawn.weights[u], drawn.weights[v]), scale = weight * weight;
@@ -124,7 +127,7 @@ bool Witnesses::improve(const Mesh& mesh, const Stars& stars, const DrawnSurface
     better |= offer(drawn, v, face);
     for (const Index corner : face) {
       if (squared_bounds_[v] <= most) return true;
-      if (corner == v || faces_[corner] == tried) continue;
+      if (corner == v || is_same(faces_[corner], tried)) continue;
       tried = faces_[corner];
       better |= offer(drawn, v, tried);
     }
