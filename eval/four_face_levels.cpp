@@ -60,7 +60,7 @@ Result<std::unique_ptr<FourFaceLevels>> FourFaceLevels::open(const std::filesyst
   if (!opened) return located(levels->name_, opened.error());
   if (levels->clip_.decoder().header().part_count > 1) {
     return Error{ErrorCode::kUnsupported, levels->name_,
-                 "has several parts, of a mesh larger than memory; examples/height_field.cpp takes meshes out of it"};
+                 "has several parts, of a mesh larger than memory; extract a mesh out of it first"};
   }
   levels->front_.emplace(levels->clip_.mesh());
   return levels;

@@ -119,7 +119,7 @@ int extract(const char* from, const char* triangles, const char* to) {
   limber::FourKDecoder decoder;
   if (const auto opened = decoder.open(std::as_bytes(std::span(text))); !opened) return fail(opened.error());
   if (!decoder.is_whole()) return fail({limber::ErrorCode::kTruncated, from, "ends early"});
-  const auto error = limber::error_for_triangles(decoder, std::strtoull(triangles, nullptr, 10));
+  const auto error = limber::error_for_size(decoder, std::strtoull(triangles, nullptr, 10));
   if (!error) return fail(error.error());
   const auto mesh = limber::mesh_at_error(decoder, *error);
   if (!mesh) return fail(mesh.error());

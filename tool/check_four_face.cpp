@@ -4,13 +4,15 @@
 //   decodes            every chunk has its checksum and obeys the rules of the format
 //   whole              all parts and frames are there, and the end mark
 //   (validate.cpp)     the invariants of the 4-K mesh: of every part, and with the errors of every frame
-//   seek-equals-play   going to a frame from elsewhere gives what going through all of them gives
+//   parts-join         the coarsest triangles of the tiles are the finest of the first part, and errors do not fall
+//   there seek-equals-play   going to a frame from elsewhere gives what going through all of them gives
 #include <algorithm>
 #include <bit>
 #include <optional>
 #include <vector>
 
 #include "limber/stream/four_k_clip.h"
+#include "limber/stream/four_k_parts.h"
 #include "tool/four_face.h"
 #include "tool/progress.h"
 
@@ -67,6 +69,9 @@ Result<std::optional<Finding>> run(const StreamFile& file, const FourKDecoder& d
     if (auto found = check_mesh(part->mesh, part->positions, fmt::format("part {}", p))) return found;
     if (!progress.update(p + 1)) return interruption();
   }
+  const auto wrong = validate_joints(decoder);
+  if (!wrong) return std::optional(Finding{"decodes", wrong.error().line()});
+  if (*wrong) return std::optional(Finding{"parts-join", **wrong});
   return std::optional<Finding>();
 }
 

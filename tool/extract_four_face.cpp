@@ -14,12 +14,6 @@
 namespace limber::tool {
 namespace {
 
-struct Extracted {
-  std::uint32_t number = 0;
-  std::size_t vertices = 0, triangles = 0;
-  double error = 0;
-};
-
 // The parts of the request that the arguments name, for a picture of this size.
 FrontRequest view_request(const ViewArgument& argument, int width, int height) {
   FrontRequest request;
@@ -77,9 +71,9 @@ std::string describe(const eval::FourFaceRequest& request) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-Result<std::vector<Extracted>> extract_frames(eval::FourFaceLevels& levels, const ClipOptions& range,
-                                              const eval::FourFaceRequest& request, const OutputArgument* output,
-                                              Console& console) {
+Result<std::vector<ExtractedFront>> extract_frames(eval::FourFaceLevels& levels, const ClipOptions& range,
+                                                   const eval::FourFaceRequest& request, const OutputArgument* output,
+                                                   Console& console) {
   const std::uint32_t low = levels.first_frame_number();
   const std::uint32_t first = range.first.value_or(low) - low;
   const std::uint32_t end = range.last ? *range.last - low + 1 : levels.available_frames();
@@ -90,7 +84,7 @@ Result<std::vector<Extracted>> extract_frames(eval::FourFaceLevels& levels, cons
     writer.emplace(std::move(*created));
   }
   Progress progress(console, "extracting", (end - first + range.step - 1) / range.step);
-  std::vector<Extracted> all;
+  std::vector<ExtractedFront> all;
   for (std::uint64_t frame = first; frame < end; frame += range.step) {
     const auto at = static_cast<std::uint32_t>(frame);
     if (const Result<void> there = levels.go_to(at, request); !there) return there.error();
@@ -125,25 +119,28 @@ Result<void> take(const FourFaceExtract& arguments, const eval::FourFaceRequest&
   return {};
 }
 
-std::string range_of(const std::vector<Extracted>& all, std::size_t Extracted::*count) {
+std::string range_of(const std::vector<ExtractedFront>& all, std::size_t ExtractedFront::*count) {
   const auto [low, high] = std::ranges::minmax(all, {}, count);
   return low.*count == high.*count ? fmt::format("{}", low.*count) : fmt::format("{} to {}", low.*count, high.*count);
 }
 
-void report(const FourFaceExtract& arguments, const eval::FourFaceRequest& request, const std::vector<Extracted>& all,
-            Console& console) {
+}  // namespace
+
+void report_four_face(const FourFaceExtract& arguments, const eval::FourFaceRequest& request,
+                      const std::vector<ExtractedFront>& all, Console& console) {
   const std::string frames = all.size() == 1 ? fmt::format("frame {}", all.front().number)
                                              : fmt::format("frames {} to {}", all.front().number, all.back().number);
-  console.print("{}{}, asked for {}: {} vertices, {} triangles, errors of operations up to {:.2g} %\n",
+  const std::optional<double> worst = std::ranges::max(all, {}, &ExtractedFront::error).error;
+  console.print("{}{}, asked for {}: {} vertices, {} triangles{}\n",
                 arguments.output.path.empty() ? "" : arguments.output.path + ": ", frames, describe(request),
-                range_of(all, &Extracted::vertices), range_of(all, &Extracted::triangles),
-                std::ranges::max(all, {}, &Extracted::error).error);
+                range_of(all, &ExtractedFront::vertices), range_of(all, &ExtractedFront::triangles),
+                worst ? fmt::format(", errors of operations up to {:.2g} %", *worst) : "");
   Json list = Json::array();
-  for (const Extracted& one : all) {
+  for (const ExtractedFront& one : all) {
     list.push_back({{"frame", one.number},
                     {"vertices", one.vertices},
                     {"triangles", one.triangles},
-                    {"operation_error", one.error}});
+                    {"operation_error", one.error ? Json(*one.error) : Json(nullptr)}});
   }
   console.report("limber.extract_four_face/1",
                  {{"input", arguments.stream.specification},
@@ -153,11 +150,20 @@ void report(const FourFaceExtract& arguments, const eval::FourFaceRequest& reque
                   {"frames", list}});
 }
 
-}  // namespace
-
 Result<Exit> extract_four_face(const FourFaceExtract& arguments, Console& console) {
   const ClipOptions& part = arguments.stream.options;
   const std::string& path = arguments.output.path;
+  const auto file = StreamFile::open(arguments.stream.specification);
+  if (!file) return file.error();
+  FourKDecoder decoder;
+  if (const Result<void> read = decoder.open(file->bytes()); !read) return in_file(file->name(), read.error());
+  if (decoder.header().part_count > 1) {
+    if (const Result<void> fits = check_range(part, decoder.header().first_frame_number,
+                                              decoder.header().first_frame_number, arguments.stream.specification);
+        !fits)
+      return fits.error();
+    return extract_parts(arguments, request_of(arguments, true), *file, decoder, console);
+  }
   auto opened = eval::FourFaceLevels::open(arguments.stream.specification);
   if (!opened) return opened.error();
   eval::FourFaceLevels& levels = **opened;
@@ -182,7 +188,7 @@ Result<Exit> extract_four_face(const FourFaceExtract& arguments, Console& consol
   const auto all =
       extract_frames(levels, part, request, pictures || path.empty() ? nullptr : &arguments.output, console);
   if (!all) return all.error();
-  report(arguments, request, *all, console);
+  report_four_face(arguments, request, *all, console);
   return Exit::kDone;
 }
 

@@ -5,9 +5,12 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "eval/four_face_levels.h"
 #include "limber/base/result.h"
 #include "limber/stream/build_four_k_file.h"
+#include "limber/stream/four_k_decoder.h"
 #include "tool/clip_argument.h"
 #include "tool/console.h"
 #include "tool/exit.h"
@@ -34,5 +37,18 @@ struct FourFaceExtract {
   PictureArgument picture;
 };
 Result<Exit> extract_four_face(const FourFaceExtract& arguments, Console& console);
+
+// The same where the file has several parts. Throws UsageError where the request is not for such a file.
+Result<Exit> extract_parts(const FourFaceExtract& arguments, const eval::FourFaceRequest& request,
+                           const StreamFile& file, const FourKDecoder& decoder, Console& console);
+
+// What came out of a frame.
+struct ExtractedFront {
+  std::uint32_t number = 0;
+  std::size_t vertices = 0, triangles = 0;
+  std::optional<double> error;  // the largest of an operation that is applied, in percent
+};
+void report_four_face(const FourFaceExtract& arguments, const eval::FourFaceRequest& request,
+                      const std::vector<ExtractedFront>& all, Console& console);
 
 }  // namespace limber::tool

@@ -10,23 +10,26 @@ namespace {
 
 struct Sums {
   std::uint64_t vertices = 0, finest = 0, coarsest = 0, operations = 0, memory = 0;
-  FourKHeight height;
+  FourKHeight height;                  // of several parts: at most
   std::vector<Index> level_triangles;  // of the only part: after each level
 };
 
 Result<Sums> add_up(const FourKDecoder& decoder, const StreamFile& file) {
   Sums sums;
+  FourKHeight first, tiles;
   for (std::uint32_t p = 0; p < decoder.part_count(); ++p) {
     const Result<FourKPart> part = decoder.read_part(p);
     if (!part) return in_file(file.name(), part.error());
     const FourKMesh& mesh = part->mesh;
-    sums.vertices += mesh.vertex_count;
-    sums.finest += mesh.finest_count;
-    sums.coarsest += mesh.triangle_count() - mesh.destroyed.size();
+    // The finest triangles of the first part are the coarsest of the others, which share the vertices of their borders.
+    if (p > 0 || decoder.part_count() == 1) sums.finest += mesh.finest_count;
+    if (decoder.part_count() == 1) sums.vertices = mesh.vertex_count;
+    if (p == 0) sums.coarsest = mesh.triangle_count() - mesh.destroyed.size();
     sums.operations += mesh.operation_count();
     sums.memory += mesh.byte_count();
     const FourKHeight high = height(mesh);
-    sums.height = {std::max(sums.height.operations, high.operations), std::max(sums.height.clusters, high.clusters)};
+    if (p == 0) first = high;
+    if (p > 0) tiles = {std::max(tiles.operations, high.operations), std::max(tiles.clusters, high.clusters)};
     if (decoder.part_count() > 1) continue;
     Index left = mesh.finest_count;
     sums.level_triangles.push_back(left);
@@ -36,6 +39,8 @@ Result<Sums> add_up(const FourKDecoder& decoder, const StreamFile& file) {
       sums.level_triangles.push_back(left);
     }
   }
+  sums.height = {first.operations + tiles.operations, first.clusters + tiles.clusters};
+  if (decoder.part_count() > 1) sums.vertices = decoder.header().vertex_count;
   return sums;
 }
 

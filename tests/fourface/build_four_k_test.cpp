@@ -2,6 +2,7 @@
 #include "limber/fourface/build_four_k.h"
 
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <set>
 
@@ -85,6 +86,24 @@ TEST(BuildFourK, GivesTheSameForEveryNumberOfThreads) {
   EXPECT_EQ(one.triangles, three.triangles);
   EXPECT_EQ(one.destroyed, three.destroyed);
   EXPECT_EQ(one.error, three.error);
+}
+
+TEST(BuildFourK, HasNoLongerChainsThanItMay) {
+  for (const Shape& shape :
+       {test::waved(test::sheet(30, 30)), test::sphere(4), test::jittered(test::torus(16, 28), 0.05f, 6)}) {
+    const double logarithm = std::log2(shape.mesh.triangles.size());
+    EXPECT_LE(height(build(shape)).operations, 2.5 * logarithm);
+    EXPECT_LE(height(build(shape, {.height = 1})).operations, logarithm);
+    EXPECT_GT(height(build(shape, {.height = 0})).operations, logarithm);
+  }
+}
+
+TEST(BuildFourK, LetsGoOfItsHeightForASizeWhereItMayFold) {
+  const Shape shape = test::sphere(4);
+  const FourKMesh kept = build(shape, {.height = 0.5, .vertices = 40});
+  const FourKMesh let_go = build(shape, {.height = 0.5, .vertices = 40, .may_fold = true});
+  EXPECT_GT(coarsest(kept).size(), 2u * 76);
+  EXPECT_LE(coarsest(let_go).size(), 76u);
 }
 
 TEST(BuildFourK, EndsAtTheSizeAskedFor) {

@@ -39,6 +39,12 @@ TEST(VertexErrors, SharesOutAllThatAVertexStoodFor) {
   EXPECT_GT(roof.errors.own_errors()[1], 0.0);
 }
 
+TEST(VertexErrors, KnowsATriangleThatFacesAwayFromTheSurfaceAroundItsCorners) {
+  const Roof roof;
+  EXPECT_TRUE(roof.errors.faces_outwards(1, 2, 3));
+  EXPECT_FALSE(roof.errors.faces_outwards(1, 3, 2));
+}
+
 TEST(VertexErrors, HoldsALineBesideItsFacesToo) {
   Roof roof;
   const Vec3d beside{0.5, -0.5, 0.5};

@@ -73,6 +73,53 @@ TEST_F(BuildHeightField, GivesAConformingMeshAtEveryError) {
   EXPECT_LT(before, 100u);
 }
 
+TEST_F(BuildHeightField, GivesAConformingMeshForEveryBallAndViewpoint) {
+  for (int i = 0; i < 24; ++i) {
+    FrontRequest request{.error = i % 3 == 0 ? 0.02 : 0.3};
+    const double x = 3 * i, z = 48 - 2 * i;
+    if (i % 2 == 0) request.focus = Ball{{x, 0, z}, 1.0 + i};
+    if (i % 2 == 1) request.view = Viewpoint{.eye = {x, 5, z}, .target = {35, 0, 25}};
+    if (i % 4 == 1) request.pixels = 4, request.error.reset();
+    const auto mesh = mesh_for_request(decoder_, request);
+    ASSERT_TRUE(mesh);
+    const test::Invariants found = test::invariants_of(mesh->triangles);
+    EXPECT_TRUE(found.is_manifold && found.is_oriented) << i;
+    EXPECT_EQ(found.euler_characteristic, 1) << i;
+    EXPECT_EQ(found.border_loop_count, 1) << i;
+    EXPECT_EQ(found.component_count, 1) << i;
+  }
+}
+
+TEST_F(BuildHeightField, IsTheFinestInsideABall) {
+  const Vec3d center{40, 0, 30};
+  const auto mesh = mesh_for_request(decoder_, {.focus = Ball{center, 8}});
+  ASSERT_TRUE(mesh);
+  EXPECT_LT(mesh->triangles.size(), report_.finest_count / 2);
+  std::size_t inside = 0;
+  for (const Vec3f& p : mesh->positions) inside += length(static_cast<Vec3d>(p) - center) < 7;
+  std::size_t all = 0;
+  const auto finest = mesh_at_error(decoder_, -1);
+  for (const Vec3f& p : finest->positions) all += length(static_cast<Vec3d>(p) - center) < 7;
+  EXPECT_EQ(inside, all);
+}
+
+TEST_F(BuildHeightField, FindsTheErrorForANumberOfVertices) {
+  for (const std::uint64_t most : {2000u, 300u, 40u}) {
+    const auto error = error_for_size(decoder_, most, FrontBudget::kVertices);
+    ASSERT_TRUE(error);
+    const auto mesh = mesh_at_error(decoder_, *error);
+    ASSERT_TRUE(mesh);
+    EXPECT_LE(mesh->positions.size(), most);
+    EXPECT_GT(mesh->positions.size(), most / 2);
+  }
+}
+
+TEST_F(BuildHeightField, JoinsItsPartsSoundly) {
+  const auto wrong = validate_joints(decoder_);
+  ASSERT_TRUE(wrong);
+  EXPECT_EQ(*wrong, std::nullopt);
+}
+
 TEST_F(BuildHeightField, IsTheWholeFieldWithoutAnError) {
   const auto mesh = mesh_at_error(decoder_, -1);
   ASSERT_TRUE(mesh);
@@ -87,7 +134,7 @@ TEST_F(BuildHeightField, IsTheWholeFieldWithoutAnError) {
 
 TEST_F(BuildHeightField, FindsTheErrorForANumberOfTriangles) {
   for (const std::uint64_t most : {5000u, 1000u, 300u, 50u}) {
-    const auto error = error_for_triangles(decoder_, most);
+    const auto error = error_for_size(decoder_, most);
     ASSERT_TRUE(error);
     const auto mesh = mesh_at_error(decoder_, *error);
     ASSERT_TRUE(mesh);

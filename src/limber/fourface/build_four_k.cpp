@@ -6,7 +6,8 @@
 //     for each level, until M is as small as asked for
 //       no face is marked; C(v), at most E(v), of all vertices; a queue           (price_all)
 //       take v, the cheapest, from the queue, until enough is done                (run_level)
-//         plan its cluster as things are now; back into the queue if dearer
+//         plan its cluster as things are now, dearer if the chain below is long   (plan)
+//         back into the queue if it has become dearer
 //         unless a face of v is marked                                            (simplify_cluster)
 //           swap edges until v has four faces; remove v
 //           mark the faces that are left of the four, not those that the swaps released
@@ -21,6 +22,7 @@
 #include <optional>
 #include <utility>
 
+#include "limber/base/portable_math.h"
 #include "limber/contract/cost_queue.h"
 #include "limber/contract/fetch.h"
 #include "limber/contract/orientation.h"
@@ -33,6 +35,12 @@ namespace limber {
 namespace {
 
 constexpr float kNever = std::numeric_limits<float>::infinity();
+
+// Chains that grow evenly to this share of the height that they may have, and this number of operations, cost nothing.
+constexpr double kEvenShare = .8;
+constexpr double kEvenStart = 8;
+
+double log2_of(Index n) { return portable_log(n) * 1.4426950408889634; }
 
 class Builder {
  public:
@@ -63,6 +71,8 @@ class Builder {
   FourKMesh run(const GoOnFunction& go_on);
 
  private:
+  static constexpr unsigned kAny = 0xffff;  // what a face can count
+
   bool is_small_enough() const {
     return vertices_left_ <= options_.vertices || faces_.face_count() <= options_.triangles;
   }
@@ -72,6 +82,7 @@ class Builder {
   float least_cost(Index v) const;
   bool is_current(Index v, const Star& star) const;
   bool plan(Index v, const Star& star, bool check_edges);
+  void limit_operations();
   void price_all();
   void fetch_ahead(const CostQueue& queue) const;
   void run_level(const GoOnFunction& go_on);
@@ -90,7 +101,8 @@ class Builder {
   std::vector<double> kept_error_;     // [vertex_count]: Q_u(u) as it was planned with
   std::uint8_t level_ = 0;             // the mark of this level, from 1
   unsigned most_depth_ = 0;            // of clusters in this level
-  unsigned most_operations_ = ~0u;     // a cluster of this level may depend on less than that in a row
+  unsigned most_operations_ = kAny;    // in a row, with those of the cluster itself
+  unsigned even_operations_ = kAny;    // more than that, in this level, make a cluster dearer
   Index vertices_left_ = 0;
   Record record_;
 };
@@ -169,9 +181,14 @@ bool Builder::is_current(Index v, const Star& star) const {
 }
 
 bool Builder::plan(Index v, const Star& star, bool check_edges) {
-  if (!plan_cluster({faces_, errors_}, star, options_.cluster, check_edges, plans_[v])) return false;
+  ClusterPlan& made = plans_[v];
+  if (!plan_cluster({faces_, errors_}, star, options_.cluster, check_edges, made)) return false;
+  if (made.operations > most_operations_) return false;
+  // Twice as much for each.
+  if (made.operations > even_operations_)
+    made.cost = std::ldexp(made.cost, static_cast<int>(made.operations - even_operations_));
   planned_[v] = level_;
-  kept_error_[v] = errors_.own_errors()[star.ring[plans_[v].kept]];
+  kept_error_[v] = errors_.own_errors()[star.ring[made.kept]];
   return true;
 }
 
@@ -215,18 +232,31 @@ void Builder::remove_vertex(const Star& star, Index u, double error, unsigned de
   record_.begin_with(u);
 }
 
+void Builder::limit_operations() {
+  most_operations_ = even_operations_ = kAny;
+  if (!(options_.height > 0)) return;
+  const auto limit = [](double operations) { return static_cast<unsigned>(std::clamp(operations, 1.0, double{kAny})); };
+  const double finest = log2_of(record_.finest_count());
+  most_operations_ = limit(options_.height * finest);
+  even_operations_ = limit(kEvenStart + kEvenShare * options_.height * (finest - log2_of(faces_.face_count())));
+}
+
 FourKMesh Builder::run(const GoOnFunction& go_on) {
   const Index levels = std::min(options_.levels, Index{250});
   while (record_.level_count() < levels && level_ < 250 && !is_small_enough() && !(go_on && !go_on())) {
     ++level_;
     most_depth_ = static_cast<unsigned>(std::floor(std::max(options_.clusters_per_level, 1.0) * level_));
-    if (options_.operations_per_level > 0)
-      most_operations_ = static_cast<unsigned>(std::floor(std::max(options_.operations_per_level, 1.0) * level_));
+    limit_operations();
     price_all();
     run_level(go_on);
     if (record_.end_level()) continue;
-    if (!options_.may_fold || options_.cluster.fold_over_cosine <= -1) break;
-    options_.cluster.fold_over_cosine = -2;
+    if (!options_.may_fold) break;
+    if (options_.height > 0) {
+      options_.height = 0;
+    } else {
+      if (options_.cluster.fold_over_cosine <= -1) break;
+      options_.cluster.fold_over_cosine = -2;
+    }
   }
   return std::move(record_).take();
 }

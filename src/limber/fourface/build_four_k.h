@@ -21,9 +21,10 @@ struct FourKOptions {
   double level_share = 0.7;
   // How many clusters may depend on each other in a row, per level on average, at least 1.
   double clusters_per_level = 2;
-  // A cluster waits whose faces depend on more operations in a row than so many per level, on average; 0: never. 1.6
-  // lowers the graph by a tenth to a quarter, for a fifth to a third more error (docs/design.md).
-  double operations_per_level = 0;
+  // The longest chain of operations that depend on each other has at most so many times the binary logarithm of the
+  // number of triangles; what comes close to that costs more. 0: as long as it gets. With may_fold it is let go of
+  // where nothing else is left.
+  double height = 2.5;
   // Of several frames: ClusterOptions::fold_over_cosine is at most this. A triangle that turns in one frame of many
   // must not keep all the others from what is best for them.
   double many_fold_over_cosine = 0.2;

@@ -6,7 +6,7 @@
 //     spokes = the edges around v; those of a line are never swapped              (find_sides)
 //     for each neighbour u, cheapest C(u) = (Q_v + Q_u)(u) first, while it can be best   (find_best)
 //       until four neighbours are left (on a line: one on each of its sides)      (reduce)
-//         swap the cheapest edge (v, r) that is legal, r != u, into (s, t)
+//         swap the cheapest edge (v, r) that is legal, r != u, into (s, t); dearer on faces of many operations
 //       w = the neighbour across from u; (u, w) must be legal                     (finish)
 //       E = alpha C(u) + beta sum of the swaps; keep the least
 #include "limber/fourface/cluster.h"
@@ -33,7 +33,8 @@ constexpr std::uint8_t kOnLine = 2;  // for a side
 struct Ring {
   PerNeighbour<Place> previous, next;
   PerNeighbour<double> swap_cost;
-  std::array<std::uint32_t, 2> left;  // neighbours on each side that have not been swapped away
+  PerNeighbour<std::uint16_t> operations;  // of the face between a neighbour and the next: in a row, until it is there
+  std::array<std::uint32_t, 2> left;       // neighbours on each side that have not been swapped away
 };
 
 // A Vec3d that is not set to 0 when a plan begins, as most of an array for all possible neighbours is never used.
@@ -90,10 +91,19 @@ class Planner {
   void find_candidates();
   bool find_best(bool check_edges, ClusterPlan& best);
   void copy_ring(Ring& ring) const;
+  // Of the two faces that swapping the edge to the neighbour at r destroys, the most.
+  static std::uint16_t operations_below(const Ring& ring, std::uint32_t r) {
+    return std::max(ring.operations[ring.previous[r]], ring.operations[r]);
+  }
+  std::uint16_t operations_of_removal(const Ring& ring, Place kept) const;
   double reduce(Ring& ring, Place kept, bool check_edges, ClusterPlan& plan) const;
   double finish(const Ring& ring, Place kept, bool check_edges, ClusterPlan& plan) const;
   double finish_three(const Ring& ring, Place u) const;
+  bool faces_outwards(Index a, Index b, Index c) const {
+    return options_.fold_over_cosine <= -1 || input_.errors.faces_outwards(a, b, c);
+  }
   double triangle_cost(Place u, Place s, Place w) const {
+    if (!faces_outwards(star_.ring[u], star_.ring[s], star_.ring[w])) return kNever;
     return in_all_frames([&](const Offset* at) { return triangle_cost(at[u], at[s], at[w]); });
   }
   double triangle_cost(const Vec3d& pu, const Vec3d& ps, const Vec3d& pw) const;
@@ -111,6 +121,7 @@ class Planner {
   std::array<Place, 2> line_{kNoPlace, kNoPlace};  // the neighbours on the line through v
   std::array<std::uint32_t, 2> needed_{};          // neighbours of each side that stay
   Ring whole_;
+  std::uint16_t least_operations_ = 0;
   std::array<Candidate, kMostKept> candidates_;  // [candidate_count_], cheapest first, then by place
   std::uint32_t candidate_count_ = 0;
 };
@@ -161,6 +172,12 @@ void Planner::start_ring() {
   for (std::uint32_t i = 0; i < star_.count; ++i) {
     whole_.previous[i] = static_cast<Place>(i == 0 ? star_.count - 1 : i - 1);
     whole_.next[i] = static_cast<Place>(i + 1 == star_.count ? 0 : i + 1);
+    whole_.operations[i] = 0;
+  }
+  least_operations_ = 0xffff;
+  for (std::uint32_t i = 0; i < star_.face_count(); ++i) {
+    whole_.operations[i] = input_.faces.face(FaceTable::face_of(star_.spoke[i])).operations;
+    least_operations_ = std::min(least_operations_, whole_.operations[i]);
   }
   if (is_reduced(whole_)) return;
   for (std::uint32_t i = 0; i < star_.count; ++i) price(whole_, static_cast<Place>(i));
@@ -215,6 +232,7 @@ bool Planner::find_best(bool check_edges, ClusterPlan& best) {
     cost += finish(ring, kept, check_edges, plan);
     if (cost >= least) continue;
     least = cost;
+    plan.operations = operations_of_removal(ring, kept);
     best = plan;
   }
   best.cost = static_cast<float>(least);
@@ -226,6 +244,7 @@ void Planner::copy_ring(Ring& ring) const {
     ring.previous[i] = whole_.previous[i];
     ring.next[i] = whole_.next[i];
     ring.swap_cost[i] = whole_.swap_cost[i];
+    ring.operations[i] = whole_.operations[i];
   }
   ring.left = whole_.left;
 }
@@ -240,20 +259,37 @@ double Planner::reduce(Ring& ring, Place kept, bool check_edges, ClusterPlan& pl
     double least = kNever;
     for (std::uint32_t i = 0; i < star_.count; ++i) {
       if (!(ring.swap_cost[i] < least) || ring.left[side_[i]] <= needed_[side_[i]]) continue;
-      least = ring.swap_cost[i], best = i;
+      const double cost =
+          ring.swap_cost[i] * (1 + options_.chain_weight * (operations_below(ring, i) - least_operations_));
+      if (cost < least) least = cost, best = i;
     }
     if (best == kNoPlace) return kNever;
     const auto r = static_cast<Place>(best);
     const Place s = ring.previous[r], t = ring.next[r];
     ring.swap_cost[r] = kNever;
     if (check_edges && joined(s, t)) continue;
+    if (!faces_outwards(star_.center, star_.ring[s], star_.ring[t]) ||
+        !faces_outwards(star_.ring[s], star_.ring[r], star_.ring[t]))
+      continue;
     sum += least;
+    ring.operations[s] = static_cast<std::uint16_t>(operations_below(ring, r) + 1);
     plan.swaps[plan.swap_count++] = r;
     --ring.left[side_[r]];
     ring.next[s] = t, ring.previous[t] = s;
     if (!is_reduced(ring)) price(ring, s), price(ring, t);
   }
   return sum;
+}
+
+// In a row, with the removal itself.
+std::uint16_t Planner::operations_of_removal(const Ring& ring, Place kept) const {
+  std::uint16_t most = 0;
+  Place i = kept;
+  do {
+    most = std::max(most, ring.operations[i]);
+    i = ring.next[i];
+  } while (i != kept);
+  return static_cast<std::uint16_t>(most + 1);
 }
 
 // The removal itself, with `kept` for u.
@@ -279,6 +315,7 @@ double Planner::finish_three(const Ring& ring, Place u) const {
     if (across != kNone && input_.faces.origin(FaceTable::previous(across)) == star_.ring[(i + 2) % 3]) return kNever;
   }
   const Place s = ring.next[u], t = ring.next[s];
+  if (!faces_outwards(star_.ring[u], star_.ring[s], star_.ring[t])) return kNever;
   return in_all_frames([&](const Offset* at) { return fold_over_of_three(at[u], at[s], at[t]); });
 }
 

@@ -12,10 +12,15 @@
 namespace limber {
 
 struct ClusterOptions {
-  double removal_weight = 1;      // alpha, of C(v), the quadric error at the neighbour that is kept, >= 0
-  double swap_weight = 5;         // beta, of S(v), what the swaps cost, >= 0
-  double shape_weight = 0.001;    // of badly shaped triangles, >= 0 (docs/design.md, "Four-face clusters")
-  double fold_over_cosine = 0.5;  // a new triangle may turn from those that it replaces by an angle with this cosine
+  double removal_weight = 1;    // alpha, of C(v), the quadric error at the neighbour that is kept, >= 0
+  double swap_weight = 5;       // beta, of S(v), what the swaps cost, >= 0
+  double shape_weight = 0.001;  // of badly shaped triangles, >= 0 (docs/design.md, "Four-face clusters")
+  // A swap costs so much more, as a share, for each operation that its faces depend on in a row beyond the fewest
+  // around the vertex, >= 0.
+  double chain_weight = .35;
+  // A new triangle may turn from those that it replaces by an angle with this cosine, but never from the input's
+  // surface around its corners (VertexErrors::faces_outwards); both rules are off where it is -1 or less.
+  double fold_over_cosine = 0.5;
 };
 
 // All that a plan looks at; the costs are sums over all frames, and none may fold over.
@@ -29,6 +34,7 @@ struct ClusterPlan {
 
   // E(v) = alpha C(v) + beta S(v), and the term of the shape; >= 0.
   float cost;
+  std::uint16_t operations;  // that depend on each other in a row, with the removal itself, the last
   // Places in the star's ring: of the neighbour u that is kept; of the other end w of the new edge, or u's own where
   // there is none, as v has three faces; of the far ends of the edges that are swapped, in order.
   std::uint8_t kept, opposite, swap_count;

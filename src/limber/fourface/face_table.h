@@ -19,8 +19,8 @@ struct Face {
   std::array<Index, 3> corners{};  // corners[0] is kNone in a dead one
   std::array<Index, 3> twins{};    // the half-edge across edge i; kNone on a border
   Index triangle = kNone;          // whatever the caller calls it
-  std::uint16_t depth = 0;         // for the caller ...
-  std::uint16_t operations = 0;    // ... and this
+  std::uint16_t depth = 0;         // for the caller
+  std::uint16_t operations = 0;    // for the caller, who counts those that have led to it in a row
   std::uint8_t lines = 0;          // bit i: edge i belongs to a line, a border or an edge that was tagged
 };
 

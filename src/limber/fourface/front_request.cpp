@@ -123,6 +123,15 @@ std::vector<float> bends(const FourKMesh& mesh, std::span<const Vec3f> positions
   return all;
 }
 
+std::vector<std::uint8_t> applied_operations(const FourKMesh& mesh, std::span<const Vec3f> positions,
+                                             const FrontRequest& request, std::span<const float> bend) {
+  assert(!request.level && !request.vertices && !request.triangles);
+  const Limits limits(mesh, positions, request, bend);
+  std::vector<std::uint8_t> applied(mesh.operation_count());
+  for (Index o = 0; o < mesh.operation_count(); ++o) applied[o] = limits.excess(o) <= 1;
+  return applied;
+}
+
 void move_front(Front& front, const FourKMesh& mesh, std::span<const Vec3f> positions, const FrontRequest& request,
                 std::span<const float> bend, double hysteresis) {
   assert(hysteresis >= 1 && (!request.pixels || request.view) &&

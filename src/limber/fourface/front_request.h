@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -48,6 +49,11 @@ struct FrontRequest {
 // [operation_count]: 1 less the least cosine between the normals of triangles that an operation, or one that it depends
 // on, destroys and creates: how much the surface is bent there. Monotone. positions: [mesh.vertex_count].
 std::vector<float> bends(const FourKMesh& mesh, std::span<const Vec3f> positions);
+
+// [operation_count]: 1 where an operation is applied in the front that the request, which has none of its first three,
+// asks for. positions, bend: as for move_front().
+std::vector<std::uint8_t> applied_operations(const FourKMesh& mesh, std::span<const Vec3f> positions,
+                                             const FrontRequest& request, std::span<const float> bend = {});
 
 // Moves the front to what is asked for. positions: of the frame for which the mesh has its errors and radii.
 // `hysteresis`

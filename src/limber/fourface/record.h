@@ -25,6 +25,7 @@ class Record {
   // A level ends. False: it was empty, and is none.
   bool end_level();
 
+  Index finest_count() const { return mesh_.finest_count; }
   Index operation_count() const { return mesh_.operation_count(); }
   Index level_count() const { return mesh_.level_count(); }
 

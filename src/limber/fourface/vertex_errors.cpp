@@ -28,6 +28,22 @@ VertexErrors::VertexErrors(const Mesh& mesh, std::vector<Vec3d> positions, std::
     }
   }
   for (Index v = 0; v < mesh.vertex_count; ++v) sum_own(v);
+  find_normals(mesh);
+}
+
+void VertexErrors::find_normals(const Mesh& mesh) {
+  std::vector<Vec3d> sums(positions_.size());
+  for (const auto& [a, b, c] : mesh.triangles) {
+    for (std::size_t f = 0; f < frame_count_; ++f) {
+      const Vec3d area = cross(at(b, f) - at(a, f), at(c, f) - at(a, f));
+      for (const Index corner : {a, b, c}) sums[corner * frame_count_ + f] += area;
+    }
+  }
+  normals_.resize(sums.size());
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    const double size = length(sums[i]);
+    if (size > 0) normals_[i] = static_cast<Vec3f>(sums[i] * (1 / size));
+  }
 }
 
 void VertexErrors::sum_own(Index v) {
@@ -93,6 +109,15 @@ double VertexErrors::removal_error(Index v, Index u) const {
     weight += q.trace();
   }
   return weight > 0 ? std::sqrt(std::max(sum, 0.0) / weight) : 0;
+}
+
+bool VertexErrors::faces_outwards(Index a, Index b, Index c) const {
+  for (std::size_t f = 0; f < frame_count_; ++f) {
+    const Vec3d area = cross(at(b, f) - at(a, f), at(c, f) - at(a, f));
+    const auto is_behind = [&](Index v) { return dot(area, static_cast<Vec3d>(normals_[v * frame_count_ + f])) < 0; };
+    if (is_behind(a) && is_behind(b) && is_behind(c)) return false;
+  }
+  return true;
 }
 
 void VertexErrors::share(Index v, Index u, Index w) {

@@ -43,6 +43,10 @@ class VertexErrors {
   // How far u is, as the root of the mean square, from the planes that v stands for.
   double removal_error(Index v, Index u) const;
 
+  // False where a triangle faces away, in some frame, from the surface that the mesh was at first around each of its
+  // corners.
+  bool faces_outwards(Index a, Index b, Index c) const;
+
   // v is removed: u and w stand for what it stood for; u alone where they are the same.
   void share(Index v, Index u, Index w);
 
@@ -53,12 +57,14 @@ class VertexErrors {
  private:
   const Vec3d& at(Index v, std::size_t frame) const { return positions_[v * frame_count_ + frame]; }
   void sum_own(Index v);
+  void find_normals(const Mesh& mesh);
 
   QuadricOptions options_;
   std::size_t frame_count_;
   std::vector<Vec3d> positions_;   // [vertex_count x frame_count]
   std::vector<Quadric> quadrics_;  // [vertex_count x frame_count]
   std::vector<double> own_error_;
+  std::vector<Vec3f> normals_;  // [vertex_count x frame_count]: of length 1 or 0
 };
 
 }  // namespace limber
