@@ -21,7 +21,9 @@ function build(clip, name, options = []) {
   return file;
 }
 let sampleFile;
-const sample = () => (sampleFile ??= build('sample:collapse?vertices=1500&frames=20', 'collapse', ['--keys', '5']));
+// Without keys at jumps: every fifth frame is one.
+const sampleOptions = ['--keys', '5', '--restart', '0'];
+const sample = () => (sampleFile ??= build('sample:collapse?vertices=1500&frames=20', 'collapse', sampleOptions));
 
 async function playerOf(file) {
   const player = await Player.create();

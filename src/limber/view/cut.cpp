@@ -83,10 +83,8 @@ void Cut::find_parts(const Mesh& mesh) {
   for (Index v = 0; v < mesh.vertex_count; ++v) size[find(v)] += has_surface_[v];
   largest_part_ = size.empty() ? 0 : *std::max_element(size.begin(), size.end());
   part_size_.resize(mesh.vertex_count);
-  for (Index v = 0; v < mesh.vertex_count; ++v) {
-    part_size_[v] = size[find(v)];
-    has_parts_ |= has_surface_[v] && part_size_[v] != largest_part_;
-  }
+  for (Index v = 0; v < mesh.vertex_count; ++v) part_size_[v] = size[find(v)];
+  has_parts_ = largest_part_ != std::accumulate(size.begin(), size.end(), Index{0});
 }
 
 void Cut::set_options(const CutOptions& options) {

@@ -128,7 +128,7 @@ class Cut {
   std::vector<std::uint8_t> has_surface_;  // [mesh.vertex_count]: a triangle that is not degenerate has it as a corner
   std::vector<Index> part_size_;           // [mesh.vertex_count]: how many of them the vertex's part has
   Index largest_part_ = 0;
-  bool has_parts_ = false;  // parts of different sizes
+  bool has_parts_ = false;  // more than one with surface
   std::size_t triangle_count_ = 0;
 
   // Of the frame: [node_count - vertex_count], coarse node n at n - vertex_count.
