@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <string>
 
 #include "limber/view/triangle_list.h"
 #include "tests/view/allocations.h"
@@ -140,6 +141,21 @@ TEST_P(CutUnderSwaps, HasOneActiveNodeOnEveryPathAndKeepsItsPromise) {
   }
 }
 
+std::string title(const testing::TestParamInfo<CutOptions>& info) {
+  const CutOptions& o = info.param;
+  switch (o.by) {
+    case CutBy::kLevel:
+      return "Level" + std::to_string(o.level);
+    case CutBy::kVertices:
+      return "Vertices" + std::to_string(o.budget);
+    case CutBy::kTriangles:
+      return "Triangles" + std::to_string(o.budget);
+    case CutBy::kError:
+      return o.error_bound > 0 ? "Error" : "NoError";
+  }
+  return "";
+}
+
 INSTANTIATE_TEST_SUITE_P(Criteria, CutUnderSwaps,
                          testing::Values(CutOptions{.by = CutBy::kLevel, .level = 0},
                                          CutOptions{.by = CutBy::kLevel, .level = 2},
@@ -151,7 +167,8 @@ INSTANTIATE_TEST_SUITE_P(Criteria, CutUnderSwaps,
                                          CutOptions{.by = CutBy::kTriangles, .budget = 150},
                                          CutOptions{.by = CutBy::kTriangles, .budget = 800, .hysteresis = 3},
                                          CutOptions{.by = CutBy::kError, .error_bound = 0.5f},
-                                         CutOptions{.by = CutBy::kError, .error_bound = 0}));
+                                         CutOptions{.by = CutBy::kError, .error_bound = 0}),
+                         title);
 
 TEST(Cut, FillsAVertexBudgetUpToWhatTheNextExpansionCosts) {
   const Surface s = test::torus(40, 50);
