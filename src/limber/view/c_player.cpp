@@ -150,9 +150,12 @@ std::optional<View> take_view(const limber_view* from) {
   limber_view given = LIMBER_VIEW_DEFAULTS;
   if (!take(from, given)) return std::nullopt;
   const auto looks_at = [&](std::uint32_t criterion) { return (given.criteria & criterion) != 0; };
-  View view{
-      .width = given.width, .height = given.height, .silhouettes = given.silhouettes, .facing_away = given.facing_away};
-  if (looks_at(LIMBER_VIEW_CAMERA) && !(view.camera = take_camera(given))) return std::nullopt;
+  View view;
+  if (looks_at(LIMBER_VIEW_CAMERA)) {
+    if (!(view.camera = take_camera(given))) return std::nullopt;
+    view.width = given.width, view.height = given.height;
+    view.silhouettes = given.silhouettes, view.facing_away = given.facing_away;
+  }
   if (looks_at(LIMBER_VIEW_FOCUS) && !(view.focus = take_focus(given))) return std::nullopt;
   if (looks_at(LIMBER_VIEW_ALONG) && !(view.along = take_along(given))) return std::nullopt;
   constexpr std::uint32_t kKnown = LIMBER_VIEW_CAMERA | LIMBER_VIEW_FOCUS | LIMBER_VIEW_ALONG;
