@@ -5,6 +5,7 @@
 import { readFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { quantile } from '../tests/web/browser.mjs';
 
 const { Player } = await import(pathToFileURL(resolve(join(process.env.LIMBER_WEB, 'package/player.js'))));
 const player = await Player.create();
@@ -42,7 +43,6 @@ for (let run = 0; run < REPEAT; ++run) {
     vertices.push(mesh.vertexCount);
   }
 }
-const quantile = (values, part) => [...values].sort((a, b) => a - b)[Math.floor(part * values.length)];
 const times = (values) => `${quantile(values, 0.5).toFixed(2)} median, ${quantile(values, 0.95).toFixed(2)} 95th percentile`;
 console.log(`${cuts.length} frames, ${quantile(vertices, 0.5)} vertices in the median; processor milliseconds
 decoding a step   ${times(steps)}

@@ -53,6 +53,13 @@ bool is_four_face_file(const std::filesystem::path& path) {
   return limber::is_four_face_file(std::as_bytes(std::span(first)).first(static_cast<std::size_t>(file.gcount())));
 }
 
+FrontRequest front_request(const FourFaceRequest& request, double diagonal) {
+  FrontRequest wanted = request.front;
+  if (request.error_percent) wanted.error = *request.error_percent / 100 * diagonal;
+  if (request.bend_degrees) wanted.bend = 1 - portable_cos(*request.bend_degrees * (kPi / 180));
+  return wanted;
+}
+
 Result<std::unique_ptr<FourFaceLevels>> FourFaceLevels::open(const std::filesystem::path& path) {
   std::unique_ptr<FourFaceLevels> levels(new FourFaceLevels(path.string()));
   if (const Result<void> read = read_file(path, levels->bytes_); !read) return read.error();
@@ -69,13 +76,9 @@ Result<std::unique_ptr<FourFaceLevels>> FourFaceLevels::open(const std::filesyst
 Result<void> FourFaceLevels::go_to(std::uint32_t frame, const FourFaceRequest& request) {
   if (const Result<void> gone = clip_.go_to(frame); !gone) return located(name_, gone.error());
   const FourKMesh& structure = clip_.mesh();
-  FrontRequest wanted = request.front;
-  if (request.error_percent) wanted.error = *request.error_percent / 100 * clip_.decoder().header().diagonal;
+  const FrontRequest wanted = front_request(request, clip_.decoder().header().diagonal);
   std::vector<float> bend;
-  if (request.bend_degrees) {
-    wanted.bend = 1 - portable_cos(*request.bend_degrees * (kPi / 180));
-    bend = bends(structure, clip_.positions());
-  }
+  if (wanted.bend) bend = bends(structure, clip_.positions());
   move_front(*front_, structure, clip_.positions(), wanted, bend, request.hysteresis);
   std::vector<Index> alive(front_->triangles().begin(), front_->triangles().end());
   std::ranges::sort(alive);

@@ -28,6 +28,9 @@ struct FourFaceRequest {
   double hysteresis = 1;                // as of move_front()
 };
 
+// What the request asks of a front of a file whose first frame has this diagonal.
+FrontRequest front_request(const FourFaceRequest& request, double diagonal);
+
 class FourFaceLevels {
  public:
   // Reads the file. Errors name it.

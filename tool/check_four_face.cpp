@@ -5,7 +5,8 @@
 //   whole              all parts and frames are there, and the end mark
 //   (validate.cpp)     the invariants of the 4-K mesh: of every part, and with the errors of every frame
 //   parts-join         the coarsest triangles of the tiles are the finest of the first part, and errors do not fall
-//   there seek-equals-play   going to a frame from elsewhere gives what going through all of them gives
+//                      from the one to the other
+//   seek-equals-play   going to a frame from elsewhere gives what going through all of them gives
 #include <algorithm>
 #include <bit>
 #include <optional>

@@ -20,8 +20,7 @@ void refuse_what_needs_memory(const FourFaceExtract& arguments, const eval::Four
 }
 
 Result<PartsMesh> mesh_of(const FourKDecoder& decoder, const eval::FourFaceRequest& request) {
-  FrontRequest front = request.front;
-  if (request.error_percent) front.error = *request.error_percent / 100 * decoder.header().diagonal;
+  const FrontRequest front = front_request(request, decoder.header().diagonal);
   if (front.level) return mesh_at_error(decoder, -1);
   if (!front.vertices && !front.triangles) return mesh_for_request(decoder, front);
   const Result<float> error = front.vertices ? error_for_size(decoder, *front.vertices, FrontBudget::kVertices)

@@ -2,9 +2,7 @@
 #include "limber/hierarchy/change_budget.h"
 
 #include <gtest/gtest.h>
-#include <set>
 
-#include "limber/base/triangles.h"
 #include "limber/hierarchy/swap_validity.h"
 #include "tests/hierarchy/weighed.h"
 
@@ -17,18 +15,6 @@ std::vector<LevelGraph> graphs_of(const Shape& shape, const Hierarchy& h) {
   std::vector<LevelGraph> graphs;
   for (Index level = 0; level < h.level_count(); ++level) graphs.push_back(test::graph_of(shape.mesh, h, level, false));
   return graphs;
-}
-
-// Each with its smallest corner first.
-std::set<Triangle> triangles_of(const Shape& shape, const Hierarchy& h, Index level) {
-  std::vector<Triangle> triangles;
-  list_images(shape.mesh.triangles, test::ancestors(h, level), triangles);
-  std::set<Triangle> rotated;
-  for (Triangle t : triangles) {
-    std::rotate(t.begin(), std::ranges::min_element(t), t.end());
-    rotated.insert(t);
-  }
-  return rotated;
 }
 
 // Every valid swap of finest vertices that the budget allows; how many it does not.
@@ -56,8 +42,8 @@ TEST(ChangeBudget, NeverMakesMoreNewTrianglesOnAnyLevelThanItMay) {
       EXPECT_GT(swap_all(clusters, budget, graphs[0]), 0u);
       std::size_t all = 0;
       for (Index level = 1; level < before.level_count(); ++level) {
-        const std::set<Triangle> old = triangles_of(shape, before, level),
-                                 now = triangles_of(shape, clusters.hierarchy(), level);
+        const std::set<Triangle> old = test::triangles_of(shape.mesh, before, level),
+                                 now = test::triangles_of(shape.mesh, clusters.hierarchy(), level);
         const auto fresh = std::ranges::count_if(now, [&](const Triangle& t) { return !old.contains(t); });
         EXPECT_LE(static_cast<double>(fresh), share * static_cast<double>(old.size())) << "level " << level;
         all += static_cast<std::size_t>(fresh);

@@ -226,18 +226,6 @@ TEST(Reclusterer, StaysWithAClipThatOnlyGrowsOrMovesOn) {
   }
 }
 
-// The triangles of a level as sets of nodes, each once.
-std::set<Triangle> triangles_of(const Mesh& mesh, const Hierarchy& h, Index level) {
-  std::set<Triangle> images;
-  const std::vector<Index> at = test::ancestors(h, level);
-  for (const Triangle& t : mesh.triangles) {
-    Triangle image{at[t[0]], at[t[1]], at[t[2]]};
-    std::sort(image.begin(), image.end());
-    if (!is_degenerate(image)) images.insert(image);
-  }
-  return images;
-}
-
 TEST(Reclusterer, ChangesNoMoreTrianglesOfALevelThanItMay) {
   for (const Topology topology : {Topology::kPreserve, Topology::kFree}) {
     for (const Shape& shape : {test::jittered(test::sphere(4), 0.02f, 4), test::waved(test::sheet(30, 25))}) {
@@ -252,8 +240,8 @@ TEST(Reclusterer, ChangesNoMoreTrianglesOfALevelThanItMay) {
           stepped(r, deformed(shape, frame).positions);
           EXPECT_FALSE(r.has_restarted());
           for (Index level = 1; level < last.level_count(); ++level) {
-            const std::set<Triangle> before = triangles_of(shape.mesh, last, level),
-                                     after = triangles_of(shape.mesh, r.hierarchy(), level);
+            const std::set<Triangle> before = test::triangles_of(shape.mesh, last, level),
+                                     after = test::triangles_of(shape.mesh, r.hierarchy(), level);
             const auto fresh = static_cast<std::size_t>(
                 std::ranges::count_if(after, [&](const Triangle& t) { return !before.contains(t); }));
             EXPECT_LE(static_cast<double>(fresh), share * static_cast<double>(before.size()));

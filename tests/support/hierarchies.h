@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -74,6 +75,18 @@ inline std::vector<Index> ancestors(const Hierarchy& hierarchy, Index level) {
     for (Index k = 0; k < level; ++k) node[v] = hierarchy.parent[node[v]];
   }
   return node;
+}
+
+// The triangles of a level as sets of nodes, each once.
+inline std::set<Triangle> triangles_of(const Mesh& mesh, const Hierarchy& hierarchy, Index level) {
+  std::set<Triangle> images;
+  const std::vector<Index> at = ancestors(hierarchy, level);
+  for (const Triangle& t : mesh.triangles) {
+    Triangle image{at[t[0]], at[t[1]], at[t[2]]};
+    std::sort(image.begin(), image.end());
+    if (!is_degenerate(image)) images.insert(image);
+  }
+  return images;
 }
 
 }  // namespace limber::test

@@ -114,6 +114,18 @@ std::vector<Drawn> play_in_cpp(const Bytes& bytes, const CutOptions& options,
   return frames;
 }
 
+// Plays all of the stream.
+void expect_frames(const Bytes& bytes, const limber_cut_options& options, const std::vector<Drawn>& expected) {
+  const OwnedPlayer player = player_of(bytes);
+  const OwnedCut cut(limber_cut_create(player.get()));
+  for (std::uint32_t frame = 0; frame < kFrameCount; ++frame) {
+    ASSERT_EQ(limber_step(player.get()), LIMBER_OK);
+    ASSERT_EQ(cut_now(cut.get(), options), expected[frame]) << "frame " << frame;
+  }
+  EXPECT_EQ(limber_step(player.get()), LIMBER_NEEDS_MORE);
+  EXPECT_EQ(limber_shown_frame(player.get()), kFrameCount - 1);
+}
+
 TEST(CPlayer, GivesWhatTheCppPlayerGivesByEveryCriterion) {
   const Bytes bytes = make_stream();
   for (std::uint32_t by = LIMBER_BY_LEVEL; by <= LIMBER_BY_ERROR; ++by) {
@@ -124,14 +136,8 @@ TEST(CPlayer, GivesWhatTheCppPlayerGivesByEveryCriterion) {
     options.error_bound = 2;
     const std::vector<Drawn> expected =
         play_in_cpp(bytes, {.by = static_cast<CutBy>(by), .level = 1, .budget = options.budget, .error_bound = 2});
-    const OwnedPlayer player = player_of(bytes);
-    const OwnedCut cut(limber_cut_create(player.get()));
-    for (std::uint32_t frame = 0; frame < kFrameCount; ++frame) {
-      ASSERT_EQ(limber_step(player.get()), LIMBER_OK);
-      ASSERT_EQ(cut_now(cut.get(), options), expected[frame]) << "criterion " << by << ", frame " << frame;
-    }
-    EXPECT_EQ(limber_step(player.get()), LIMBER_NEEDS_MORE);
-    EXPECT_EQ(limber_shown_frame(player.get()), kFrameCount - 1);
+    SCOPED_TRACE(by);
+    expect_frames(bytes, options, expected);
   }
 }
 
@@ -141,12 +147,14 @@ struct Looks {
   View same;
 };
 
+void put(const std::array<double, 3>& place, double (&to)[3]) { std::copy(place.begin(), place.end(), to); }
+
 Looks through_a_camera() {
   limber_view view = LIMBER_VIEW_DEFAULTS;
   view.criteria = LIMBER_VIEW_CAMERA;
-  std::copy_n(std::array{4.0, -9.0, 7.0}.begin(), 3, view.eye);
-  std::copy_n(std::array{5.0, 6.0, 0.0}.begin(), 3, view.target);
-  std::copy_n(std::array{0.0, 0.0, 1.0}.begin(), 3, view.up);
+  put({4.0, -9.0, 7.0}, view.eye);
+  put({5.0, 6.0, 0.0}, view.target);
+  put({0.0, 0.0, 1.0}, view.up);
   view.fov_degrees = 20;
   view.width = 320;
   view.height = 200;
@@ -163,7 +171,7 @@ Looks through_a_camera() {
 Looks without_a_camera() {
   limber_view view = LIMBER_VIEW_DEFAULTS;
   view.criteria = LIMBER_VIEW_FOCUS | LIMBER_VIEW_ALONG;
-  std::copy_n(std::array{2.0, 3.0, 0.5}.begin(), 3, view.focus_center);
+  put({2.0, 3.0, 0.5}, view.focus_center);
   view.focus_radius = 2.5;
   view.focus_outside = 20;
   view.along_axis = 1;
@@ -199,13 +207,11 @@ TEST(CPlayer, GivesWhatTheCppPlayerGivesWhenLookedAt) {
                             .hold = c.hold != 0,
                             .enough = c.enough};
       const std::vector<Drawn> expected = play_in_cpp(bytes, same, looks.same);
-      const OwnedPlayer player = player_of(bytes);
-      const OwnedCut cut(limber_cut_create(player.get()));
-      for (std::uint32_t frame = 0; frame < kFrameCount; ++frame) {
-        ASSERT_EQ(limber_step(player.get()), LIMBER_OK);
-        ASSERT_EQ(cut_now(cut.get(), options), expected[frame]) << "criterion " << c.by << ", frame " << frame;
-        largest = std::max(largest, expected[frame].nodes.size());
-        smallest = std::min(smallest, expected[frame].nodes.size());
+      SCOPED_TRACE(c.by);
+      expect_frames(bytes, options, expected);
+      for (const Drawn& frame : expected) {
+        largest = std::max(largest, frame.nodes.size());
+        smallest = std::min(smallest, frame.nodes.size());
       }
     }
   }

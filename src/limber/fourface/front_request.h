@@ -55,8 +55,7 @@ std::vector<float> bends(const FourKMesh& mesh, std::span<const Vec3f> positions
 std::vector<std::uint8_t> applied_operations(const FourKMesh& mesh, std::span<const Vec3f> positions,
                                              const FrontRequest& request, std::span<const float> bend = {});
 
-// Moves the front to what is asked for. positions: of the frame for which the mesh has its errors and radii.
-// `hysteresis`
+// Moves the front to what is asked for. positions: of the frame for which the mesh has its errors and radii. hysteresis
 // >= 1: operations that are applied count so many times less, so that little changes where many are alike; 1: the front
 // depends on the request alone. bend: bends(), where the request has one; else anything.
 void move_front(Front& front, const FourKMesh& mesh, std::span<const Vec3f> positions, const FrontRequest& request,

@@ -25,10 +25,6 @@ class ChangeBudget {
   void limit(std::span<const LevelGraph> graphs, double share);
   bool is_limited() const { return !left_.empty() && left_.back() != kUnlimited; }
 
-  // The node of the graph has just left the cluster `from`. False, and nothing is spent, where a level cannot afford
-  // that: the move is to be undone.
-  bool spend(const LevelGraph& graph, Index node, Index from);
-
   // Moves a node of the graph. False, and all is as before, where a level cannot afford that. `clusters` has the
   // hierarchy.
   bool move(Clustering& clusters, const LevelGraph& graph, Index node, Index to);
@@ -41,6 +37,9 @@ class ChangeBudget {
   static constexpr Index kUnlimited = std::numeric_limits<Index>::max();
 
   Index count_made(const LevelGraph& graph, Index node, Index label);
+  // The node of the graph has just left the cluster `from`. False, and nothing is spent, where a level cannot afford
+  // that.
+  bool spend(const LevelGraph& graph, Index node, Index from);
 
   const Hierarchy& hierarchy_;
   std::vector<Index> left_, kept_;           // [level_count]

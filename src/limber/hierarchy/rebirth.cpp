@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //   pair_up(level):
 //     births: for each cluster, the child that gains most by leaving it and founding a new one      dearest first
-//     deaths: for each cluster, the neighbour on its level that takes all its children at the least cost cheapest first
+//     deaths: for each cluster, the neighbour that takes all its children at the least cost         cheapest first
 //     while the next birth gains more than hysteresis x the cost of the next death, and more than `least`:
 //       the children of the dying cluster move to its heir, one after the other; each move is a swap, the last a
 //       contraction, so that validity is that of swap_validity.h

@@ -133,17 +133,20 @@ Reclusterer::Candidate Reclusterer::best_swap(const LevelGraph& graph, Index nod
   const Candidate none{0, kNone, kNone};
   const Index from = clusters_.parent(node);
   if (clusters_.has_one_child(from)) return none;
-  const double about_release = first_ ? 0 : worth_.about_release(node), likely = Worth::kLikely * least_benefit;
-  if (!first_ && !(about_release > likely)) return none;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  // In the first frame no estimate keeps a node from being judged.
+  const double about_release = first_ ? kInfinity : worth_.about_release(node);
+  const double likely = Worth::kLikely * least_benefit;
+  if (!(about_release > likely)) return none;
   candidates_of_node_.clear();
-  double least_burden = std::numeric_limits<double>::infinity();
+  double least_burden = kInfinity;
   for (const Index n : graph.around(node)) {
     const Index to = clusters_.parent(n);
     if (to == from || std::ranges::find(candidates_of_node_, to, &Candidate::to) != candidates_of_node_.end()) continue;
     candidates_of_node_.push_back({0, node, to});
     least_burden = std::min(least_burden, worth_.about_burden(clusters_.quadric(node), to));
   }
-  if (!first_ && !(about_release - least_burden > likely)) return none;
+  if (!(about_release - least_burden > likely)) return none;
   const double release = worth_.release(node);
   for (Candidate& c : candidates_of_node_) c.benefit = worth_.of_swap(node, c.to, release);
   std::sort(candidates_of_node_.begin(), candidates_of_node_.end(), kMoreBenefit);
