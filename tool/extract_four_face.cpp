@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 
@@ -51,7 +52,9 @@ eval::FourFaceRequest request_of(const FourFaceExtract& arguments, bool single_f
     throw UsageError("--pixels and --curvature exclude --vertices, --triangles and --level");
   const bool nothing = !cut && !limited && !request.front.view && !request.front.focus;
   if (nothing) request.front.level = 0;
-  request.hysteresis = static_cast<double>(arguments.level.hysteresis.value_or(single_frame ? 1.0f : 1.25f));
+  // Fronts compare errors, not their squares.
+  const float hysteresis = arguments.level.hysteresis.value_or(single_frame ? 1.0f : CutOptions{}.hysteresis);
+  request.hysteresis = std::sqrt(static_cast<double>(hysteresis));
   return request;
 }
 

@@ -14,8 +14,8 @@ void declare_level(CLI::App& app, LevelArgument& argument) {
   app.add_option("--error", argument.error, "as coarse as this error allows, in percent of the diagonal")
       ->type_name("PCT");
   app.add_option("--hysteresis", argument.hysteresis,
-                 "how many times better a change between frames must be; 1 makes every frame by itself "
-                 "(1.25 for several frames, 1 for one)")
+                 "how many times better, in squared error, a change between frames must be; 1 makes every frame by "
+                 "itself (1.6 for several frames, 1 for one)")
       ->type_name("H");
   app.add_option("--blend", argument.blend,
                  "blend each change between frames over so many frames, with more vertices meanwhile; 0: not at all")

@@ -81,7 +81,7 @@ export interface CutOptions {
   budget?: number;
   /** root mean square distance in percent of the frame's bounding box diagonal; with a view the largest, in its unit */
   errorBound?: number;
-  /** at least 1: how many times better a change must be than what the frame before had */
+  /** at least 1, 1.6 by default: how many times better, in squared error, a change between frames must be */
   hysteresis?: number;
   view?: View | null;
   /** by error with a view: measure until the bound is kept (many times slower) instead of estimating; false by default */

@@ -266,7 +266,7 @@ export class Cut {
   }
 
   update({
-    by = 'level', level = 0, budget = 0, errorBound = 1, hysteresis = 1.25, fetch = {}, view = null, hold = false, enough = 0,
+    by = 'level', level = 0, budget = 0, errorBound = 1, hysteresis = 1.6, fetch = {}, view = null, hold = false, enough = 0,
   } = {}) {
     const { player } = this;
     if (!(by in CRITERIA)) throw new LimberError('wrong-call', `a cut is by level, vertices, triangles or error, not by ${by}`);

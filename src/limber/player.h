@@ -213,7 +213,7 @@ typedef struct limber_cut_options {
   uint32_t budget;    // the top level is the coarsest there is, whatever the budget
   float error_bound;  // root mean square distance, in percent of the frame's bounding box diagonal, >= 0; with a view
                       // the largest distance, in the view's unit
-  float hysteresis;   // >= 1: how many times better a change must be than what the frame before had; 1: no memory
+  float hysteresis;   // >= 1: how many times better, in squared error, a change must be; 1: no memory
   uint32_t fetch;     // LIMBER_FETCH_...
 
   // With a view a budget gives the least of the largest errors that it allows, as far as they are estimated.
@@ -224,7 +224,7 @@ typedef struct limber_cut_options {
 } limber_cut_options;
 
 #define LIMBER_CUT_DEFAULTS \
-  { sizeof(limber_cut_options), LIMBER_BY_LEVEL, 0, 0, 1.0f, 1.25f, 0, 0, 0.0f, NULL }
+  { sizeof(limber_cut_options), LIMBER_BY_LEVEL, 0, 0, 1.0f, 1.6f, 0, 0, 0.0f, NULL }
 
 // Arrays belong to the cut and are valid until its next update. Vertices are in rising order of their nodes.
 typedef struct limber_mesh {

@@ -206,6 +206,44 @@ TEST(Reclusterer, BeginsAnewWhereTheClipJumpsAsWellAsABaseOfThatFrameWould) {
   EXPECT_LT(is[1], 0.85 * was[1]);
 }
 
+TEST(Reclusterer, FollowsAClipThatIsFastThroughout) {
+  const Shape flat = test::jittered(test::sheet(40, 40), 0.1f, 13);
+  const Shape first = scene(flat, 0, 0);
+  const double scale = normalization(first.positions).scale;
+  Reclusterer r(flat.mesh, test::built(first, 4, Topology::kPreserve), {});
+  for (int frame = 0; frame < 6; ++frame) {
+    const Shape now = scene(flat, 0, 60 * frame);
+    const std::vector<double> were = level_errors(scene(flat, 0, 60 * (frame - 1)), r.hierarchy(), scale),
+                              are = level_errors(now, r.hierarchy(), scale);
+    double jump = 1;
+    for (std::size_t level = 1; level < are.size(); ++level) jump *= are[level] / were[level];
+    jump = std::pow(jump, 1 / static_cast<double>(are.size() - 1));
+    stepped(r, now.positions);
+    EXPECT_FALSE(r.has_restarted()) << frame;
+    if (frame == 0) continue;
+    EXPECT_GT(jump, 1.5) << "slow";
+    EXPECT_LT(jump, 2.2) << "a jump";
+  }
+}
+
+TEST(Reclusterer, AsksMoreOfASwapWhereClustersAreSmall) {
+  const Shape shape = test::jittered(test::sphere(4), 0.02f, 16);
+  const Hierarchy base = test::built(shape, 2, Topology::kPreserve);
+  ReclusterOptions options{.threshold = 0.05};
+  options.rebirth.hysteresis = 0;
+  Reclusterer r(shape.mesh, base, options);
+  const double scale = normalization(deformed(shape, 0).positions).scale;
+  stepped(r, deformed(shape, 0).positions);
+  const Shape now = deformed(shape, 4);
+  const Hierarchy last = r.hierarchy();
+  const double before = weighted(level_errors(now, last, scale), last, r.growth(), options.coarser_weight);
+  const std::vector<double> errors = level_errors(now, last, scale);
+  const std::size_t swaps = stepped(r, now.positions).size();
+  const double after = weighted(level_errors(now, r.hierarchy(), scale), last, r.growth(), options.coarser_weight);
+  ASSERT_GT(swaps, 10u);
+  EXPECT_GT(before - after, 0.05 * 16 * errors[1] / last.level_size(1) * static_cast<double>(swaps));
+}
+
 TEST(Reclusterer, LeavesABaseThatDoesNotFitTheFirstFrameWhereToldTo) {
   const Shape flat = test::jittered(test::sheet(40, 40), 0.1f, 14);
   const Hierarchy other = test::built(scene(flat, 1, 0), 4, Topology::kPreserve);

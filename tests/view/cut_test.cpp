@@ -266,6 +266,29 @@ TEST(Cut, WithinAnErrorBoundHoldsItAndExpandsNothingWithoutNeed) {
   EXPECT_GT(last_count, 900u);
 }
 
+TEST(Cut, UnderAnErrorBoundKeepsANodeWhoseSquaredErrorIsNearIt) {
+  const Surface s = test::torus(30, 40);
+  FrameState state = test::patch_state(s, {1200, 150, 20});
+  const Index top = state.hierarchy.level_begin[2];
+  Cut cut(s.mesh, state.hierarchy, {.by = CutBy::kError, .error_bound = 0, .hysteresis = 1.6f});
+  cut.update(s.mesh, state);
+  ASSERT_TRUE(cut.is_expanded(top));
+  float bound = 1000;  // the least that contracts the node, by bisection
+  float low = 0;
+  for (int i = 0; i < 40; ++i) {
+    const float middle = (low + bound) / 2;
+    Cut fresh(s.mesh, state.hierarchy, {.by = CutBy::kError, .error_bound = middle});
+    fresh.update(s.mesh, state);
+    (fresh.is_expanded(top) ? low : bound) = middle;
+  }
+  cut.set_options({.by = CutBy::kError, .error_bound = bound * std::sqrt(1.59f), .hysteresis = 1.6f});
+  cut.update(s.mesh, state);
+  EXPECT_TRUE(cut.is_expanded(top));
+  cut.set_options({.by = CutBy::kError, .error_bound = bound * std::sqrt(1.61f), .hysteresis = 1.6f});
+  cut.update(s.mesh, state);
+  EXPECT_FALSE(cut.is_expanded(top));
+}
+
 TEST(Cut, OfATighterBoundRefinesThatOfAWiderOne) {
   const Surface s = test::torus(30, 40);
   const FrameState state = test::patch_state(s, {1200, 150, 20});

@@ -36,6 +36,7 @@ namespace {
 constexpr double kPaperGrowth = 1.9127;
 constexpr double kLeastGrowth = 1, kMostGrowth = 3;  // beyond, the fit has met something else
 constexpr double kRounding = 1e-18;                  // of errors of a surface of unit size
+constexpr double kMeantBranching = 8;                // the paper's, for which thresholds are given
 constexpr unsigned kMostRounds = 8;                  // of births and deaths on a level in a step
 
 // Of candidates; the same order everywhere.
@@ -192,8 +193,17 @@ void Reclusterer::make_swaps(const LevelGraph& graph, double least_benefit) {
   }
 }
 
-void Reclusterer::improve_level(Index level, double threshold) {
+// Where clusters have few children each takes much of the coarser mesh along when it moves, and many ways to share them
+// out are nearly as good: docs/design.md, "Reclustering".
+double Reclusterer::threshold_below(Index level) const {
+  const double branching = static_cast<double>(hierarchy().level_size(level - 1)) / hierarchy().level_size(level);
+  const double fewer = std::max(kMeantBranching / branching, 1.0);
+  return options_.threshold * fewer * fewer;
+}
+
+void Reclusterer::improve_level(Index level) {
   const LevelGraph &graph = graphs_[level], &coarser = graphs_[level + 1];
+  const double threshold = first_ ? 0 : threshold_below(level + 1);
   // At least so much that rounding alone does not look like a benefit, on flat surfaces too.
   const double least =
       (std::max(threshold, 1e-6) * total_error(level + 1) + kRounding) / hierarchy().level_size(level + 1);
@@ -252,8 +262,7 @@ std::span<const Swap> Reclusterer::step(std::span<const Vec3f> positions) {
     graph_builder_.build_coarser(hierarchy(), level, graphs_[level - 1], graphs_[level]);
   const bool is_limited = !first_ && options_.most_changed < 1;
   if (is_limited) budget_.limit(graphs_, options_.most_changed);
-  for (Index level = hierarchy().level_count() - 1; level-- > 0;)
-    improve_level(level, first_ ? 0.0 : options_.threshold);
+  for (Index level = hierarchy().level_count() - 1; level-- > 0;) improve_level(level);
   has_restarted_ = false;
   if (is_jump && !is_limited) try_anew(positions);
   clusters_.weigh();

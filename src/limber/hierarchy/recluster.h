@@ -27,7 +27,7 @@ namespace limber {
 struct RestartOptions {
   // A frame is tried that way where its errors, before anything is moved, are so many times those of the frame before,
   // >= 1; 0: none is.
-  double jump = 1.5;
+  double jump = 2.25;
   // What is made anew is taken where it leaves less than this share of the errors that following does, > 0.
   double gain = 0.85;
   // The first frame is tried, too: for where the base hierarchy was made for others beside it.
@@ -44,7 +44,8 @@ struct ReclusterOptions {
   // than that leaves the finer levels more freedom.
   double coarser_weight = 0.2;
   // A swap is worth making when it lowers the weighted error by more than this share of the mean error of the
-  // clusters on its level, >= 0: what trades error against changes, time and bytes.
+  // clusters on its level, >= 0: what trades error against changes, time and bytes. Meant for a branching factor of 8;
+  // between levels of a smaller one, b, it is (8/b)^2 times as much.
   double threshold = 0.05;
   Benefit benefit = Benefit::kExact;
   // Births and deaths of clusters beside the swaps.
@@ -117,7 +118,8 @@ class Reclusterer {
   Candidate best_swap(const LevelGraph& graph, Index node, double least_benefit);
   void make_swaps(const LevelGraph& graph, double least_benefit);
   void touch(const LevelGraph& graph, Index cluster);
-  void improve_level(Index level, double threshold);
+  double threshold_below(Index level) const;
+  void improve_level(Index level);
   void try_anew(std::span<const Vec3f> positions);
 
   const Mesh& mesh_;

@@ -218,7 +218,7 @@ void Cut::expand_by_error(const Mesh& mesh, const FrameState& state) {
   measure_areas(mesh, state, area_);
   const double bound =
       double{options_.error_bound} / 100 * diagonal(std::span(state.positions).first(mesh.vertex_count));
-  const double bounds[2] = {bound, bound / double{options_.hysteresis}};
+  const double bounds[2] = {bound, bound / std::sqrt(double{options_.hysteresis})};
   for (std::size_t n = 0; n < expanded_.size(); ++n) {
     expanded_[n] = double{state.errors[base + n]} > bounds[expanded_[n]] * std::sqrt(area_[base + n]);
   }

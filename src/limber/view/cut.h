@@ -36,12 +36,12 @@ enum class CutBy {
 
 struct CutOptions {
   CutBy by = CutBy::kLevel;
-  Index level = 0;           // kLevel: 0 is the finest; clamped to the top
-  Index budget = 0;          // kVertices, kTriangles
-  float error_bound = 1;     // kError: percent of the bounding box diagonal of the frame, with a view in its unit, >= 0
-  float hysteresis = 1.25f;  // >= 1: how many times better a change must be than what the frame before had
-  bool hold = true;          // kError, with a view: see below; otherwise its errors are estimates
-  float enough = 0;          // kVertices, kTriangles, with a view: what no budget is spent on going below, in its unit
+  Index level = 0;          // kLevel: 0 is the finest; clamped to the top
+  Index budget = 0;         // kVertices, kTriangles
+  float error_bound = 1;    // kError: percent of the bounding box diagonal of the frame, with a view in its unit, >= 0
+  float hysteresis = 1.6f;  // >= 1: how many times better, in squared error, a change must be
+  bool hold = true;         // kError, with a view: see below; otherwise its errors are estimates
+  float enough = 0;         // kVertices, kTriangles, with a view: what no budget is spent on going below, in its unit
 };
 
 // Budgets. The total squared error of the active nodes is made as small as the budget allows (see budget.h). Nothing is
@@ -66,9 +66,9 @@ struct CutOptions {
 // faster. Where the view allows more, as outside the picture, that much more is promised. Isolated vertices are not.
 //
 // Hysteresis. Between frames a node that was expanded outranks one that was not unless the latter would gain more
-// than `hysteresis` times as much per vertex or triangle; under an error bound it stays expanded until it is within
-// bound / hysteresis. Budgets and bounds always hold. With hysteresis 1 a cut depends on its frame alone,
-// but with a view on what was measured before, too.
+// than `hysteresis` times as much squared error per vertex or triangle; under an error bound it stays expanded until
+// its squared error is within that of the bound / hysteresis. Budgets and bounds always hold. With hysteresis 1 a cut
+// depends on its frame alone, but with a view on what was measured before, too.
 class Cut {
  public:
   // Allocates all that updates need. `hierarchy` is any frame's of the clip: level sizes do not change.

@@ -29,8 +29,7 @@ float largest(std::span<const float> values) {
 }  // namespace
 
 void Cut::expand_by_seen_error(float limit) {
-  const float kept = limit / options_.hysteresis;
-  const float square = limit * limit, kept_square = kept * kept;  // kept <= limit
+  const float square = limit * limit, kept_square = square / options_.hysteresis;  // at most square
   const float* errors = looking_->errors.squares().data();
   std::uint8_t* expanded = expanded_.data();
   for (std::size_t n = 0; n < expanded_.size(); ++n) {
@@ -121,8 +120,7 @@ void Cut::update(const Mesh& mesh, const FrameState& state, const View& view) {
       const bool by_vertices = options_.by == CutBy::kVertices;
       const std::uint32_t left = by_vertices ? price_vertices(state.hierarchy) : price_triangles(mesh, state.hierarchy);
       budget_.choose_worst_first(state.hierarchy, {looking_->errors.squares(), price_, left},
-                                 options_.enough * options_.enough, options_.hysteresis * options_.hysteresis,
-                                 expanded_);
+                                 options_.enough * options_.enough, options_.hysteresis, expanded_);
       break;
     }
     case CutBy::kError:
