@@ -100,6 +100,30 @@ describe('the viewer', { skip }, () => {
       assert.ok((await state(page)).frame - frame <= 1, 'it stands still');
     }));
 
+  test('changes are blended from frame to frame where that is asked for', () =>
+    withPage(`${url}#paused&vertices=300&blend=4`, async (page) => {
+      await firstPicture(page);
+      const moving = () => page.evaluate(() => {
+        const { last, info } = limberViewer.state;
+        return last.meshes[0].nodes.reduce((sum, node) => sum + (node >= info.nodeCount ? 1 : 0), 0);
+      });
+      const goTo = async (frame) => {
+        await page.evaluate((to) => limberViewer.seek(to), frame);
+        await shows(page, `limberViewer.state.last?.frame === ${frame}`);
+      };
+      await goTo(9);
+      assert.equal(await moving(), 0, 'a seek shows the cut as it is');
+      for (const frame of [10, 11]) await goTo(frame);
+      assert.ok((await moving()) > 0);
+      assert.equal(await page.inputValue('#blend'), '4');
+      await page.keyboard.press('2');
+      await page.keyboard.press('m');
+      await goTo(12);
+      await page.keyboard.press('g');
+      assert.equal(await page.inputValue('#blend'), '0');
+      await shows(page, () => limberViewer.state.last.meshes[0].nodes.every((node) => node < limberViewer.state.info.nodeCount));
+    }));
+
   test('the first picture needs the header and the first key, a seek its own key', () =>
     withPage(`${url}#paused&prefetch=0`, async (page) => {
       await firstPicture(page);

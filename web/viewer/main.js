@@ -31,6 +31,7 @@ const state = {
   isShowing: false, needsShow: false, shown: null, framesShown: 0,
   look: { wireframe: false, flat: false, colors: 'none', flash: false },
   compare: 'off',
+  blend: 0, // frames that a change takes
 };
 
 // ---- The picture
@@ -69,7 +70,7 @@ function cuts() {
   const { colors, flash } = state.look;
   const isCompared = state.compare !== 'off';
   const fetch = { errors: true, moved: true, levels: colors === 'levels', labels: isCompared && colors !== 'none' };
-  const list = [{ ...detail.options(), view: looking.view(detail.by), fetch }];
+  const list = [{ ...detail.options(), view: looking.view(detail.by), blend: state.blend, fetch }];
   if (isCompared) list.push({ by: 'level', level: 0 });
   return list;
 }
@@ -333,6 +334,13 @@ function look(change) {
   show();
 }
 
+function setBlend(frames) {
+  const choices = [...by('blend').options].map((option) => Number(option.value));
+  state.blend = choices.findLast((choice) => choice <= frames) ?? 0;
+  by('blend').value = state.blend;
+  show();
+}
+
 function setCompare(compare) {
   state.compare = compare;
   for (const button of by('compare').children) {
@@ -422,6 +430,7 @@ for (const id of ['back', 'forth', 'loop', 'more']) by(id).innerHTML = icons[id]
 by('speed').addEventListener('change', (event) => (state.speed = parseFloat(event.target.value)));
 for (const id of ['wireframe', 'flat', 'flash']) by(id).addEventListener('change', (event) => look({ [id]: event.target.checked }));
 by('colors').addEventListener('change', (event) => look({ colors: event.target.value }));
+by('blend').addEventListener('change', (event) => setBlend(Number(event.target.value)));
 by('preset').addEventListener('change', (event) => state.shown && event.target.value && applyPreset(event.target.value));
 by('compare').addEventListener('click', (event) => event.target.dataset.value && setCompare(event.target.dataset.value));
 by('canvas').addEventListener('dblclick', (event) => {
@@ -455,6 +464,10 @@ const keys = {
   w: () => look({ wireframe: !state.look.wireframe }),
   s: () => look({ flat: !state.look.flat }),
   m: () => look({ flash: !state.look.flash }),
+  g: () => {
+    setBlend(state.blend > 0 ? 0 : 4);
+    toast(state.blend > 0 ? `Changes blended over ${state.blend} frames` : 'Changes at once');
+  },
   1: () => look({ colors: 'none' }),
   2: () => look({ colors: 'levels' }),
   3: () => look({ colors: 'clusters' }),
@@ -515,6 +528,7 @@ look({
   colors: ['levels', 'clusters', 'errors'].includes(settings.colors) ? settings.colors : 'none',
   wireframe: 'wireframe' in settings, flat: 'flat' in settings, flash: 'flash' in settings,
 });
+setBlend(Number(settings.blend ?? 0) || 0);
 if (settings.up === 'z') actions.up();
 setCompare(COMPARE.includes(settings.compare) ? settings.compare : 'off');
 const first = streamOfPage();
@@ -523,4 +537,4 @@ else say('Nothing is open', 'Drop a .limber stream here, or open one. “limber 
 requestAnimationFrame(tick);
 
 // For tests, and for who likes the console.
-globalThis.limberViewer = { state, stage, timeline, detail, looking, applyPreset, open, seek, setPlaying, look, setCompare, setSplit };
+globalThis.limberViewer = { state, stage, timeline, detail, looking, applyPreset, open, seek, setPlaying, look, setBlend, setCompare, setSplit };

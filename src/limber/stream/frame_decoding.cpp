@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a player spends most of a frame on: for browsers this file is compiled for speed, and others for size
-// (scripts/build-wasm).
+// What a player spends most of a frame on: for browsers it is compiled for speed (scripts/build-wasm).
 #include "limber/stream/frame_decoding.h"
 
 #include <algorithm>
