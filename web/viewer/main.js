@@ -194,6 +194,7 @@ async function open(source, { isAgain = false } = {}) {
   state.keepsCamera = isAgain;
   Object.assign(state, { player: null, info: null, source, isShowing: false, needsShow: false, shown: null, last: null, bytesAtFirstPicture: undefined });
   by('card').hidden = true;
+  if (!isAgain) clearPicture();
   by('name').textContent = source.name;
   by('about').textContent = 'Loading…';
   document.title = `${source.name} – limber`;
@@ -204,6 +205,14 @@ async function open(source, { isAgain = false } = {}) {
   listen('progress', progressed);
   listen('failure', fail);
   await player.open(source.from, { prefetch: Number(settings.prefetch ?? PREFETCH) }).catch(() => {}); // 'failure' says it
+}
+
+// What is seen is never another stream's.
+function clearPicture() {
+  stage.clear();
+  timeline.setStream(0);
+  by('legend').hidden = true;
+  for (const id of ['frame', 's-triangles', 's-vertices', 's-error', 's-seen', 's-moved', 's-times', 's-loaded']) by(id).textContent = '–';
 }
 
 function infoArrived({ info, sizes, keys }) {
@@ -223,7 +232,7 @@ function infoArrived({ info, sizes, keys }) {
   by('about').textContent = [
     `${count(info.vertexCount)} vertices`, `${count(info.triangleCount)} triangles`, `${count(frameCount())} frames`,
     `${info.levelSizes.length} levels`, `${keyCount} ${keyCount === 1 ? 'key' : 'keys'}`,
-  ].join(' · ');
+  ].map((fact) => fact.replace(' ', '\u00a0')).join(' · ');
 }
 
 function progressed({ bytesThere, size, there }) {
@@ -235,20 +244,25 @@ function progressed({ bytesThere, size, there }) {
 
 const HEADINGS = {
   'bad-stream': 'This stream cannot be read',
-  unsupported: 'This stream needs a newer limber',
+  unsupported: 'This stream is of another version of limber',
   'no-memory': 'This stream is too large for this page',
   network: 'The connection was lost',
 };
 
 function fail(error) {
   setPlaying(false);
-  by('about').textContent = '';
-  const isOther = /not a \.limber stream/.test(error.message);
-  say(isOther ? 'This is not a .limber stream' : (HEADINGS[error.code] ?? 'Something went wrong'), error.message, { retry: error.code === 'network' });
+  if (!state.info) by('about').textContent = '';
+  let heading = HEADINGS[error.code] ?? 'Something went wrong';
+  if (/not a \.limber stream/.test(error.message)) heading = 'This is not a .limber stream';
+  else if (error.code === 'bad-stream' && state.shown)
+    heading = /ends before/.test(error.message) ? 'This stream ends too early' : 'A part of this stream cannot be read';
+  say(heading, error.message, { retry: error.code === 'network' });
 }
 
+// Where some of the stream is there the card can be put away, and that looked at.
 function say(heading, text, { retry = false } = {}) {
   const card = by('card');
+  by('close').hidden = !state.shown;
   card.querySelector('h2').textContent = heading;
   card.querySelector('p').textContent = text;
   by('retry').hidden = !retry;
@@ -422,6 +436,7 @@ const actions = {
   open: () => by('file').click(),
   choose: () => by('file').click(),
   retry: () => open(state.source, { isAgain: true }),
+  close: () => (by('card').hidden = true),
   help: () => by('keys').showModal(),
   more: () => by('panel').classList.toggle('open'),
 };
@@ -481,6 +496,7 @@ const keys = {
   l: actions.loop,
   t: actions.theme,
   o: actions.open,
+  Escape: () => by('close').hidden || actions.close(),
   '?': actions.help,
 };
 

@@ -140,6 +140,15 @@ export class Stage {
     if (!keepsCamera) this.sphere = null;
   }
 
+  // Nothing is shown until the next setMeshes().
+  clear() {
+    for (const shape of [this.approximation, this.original]) {
+      shape.data = null;
+      shape.geometry.setDrawRange(0, 0);
+    }
+    this.isDirty = true;
+  }
+
   setMeshes(approximation, original, labels) {
     this.approximation.fill(approximation);
     if (original) this.original.fill(original);
