@@ -67,15 +67,15 @@ TEST_F(ClustersOfAStrip, AClusterThatAllHaveLeftHasNoChildren) {
 TEST(Clusters, CandidatesAreThoseThatTheEdgesLeadToOnEveryLevel) {
   const test::Surface torus = test::torus(16, 24);
   const FrameState state = test::patch_state(torus, {384, 120, 40, 15, 6, 2});
-  const auto& [level_begin, parent] = state.hierarchy;
+  const std::vector<Index>&level_begin = state.hierarchy.level_begin, &parent = state.hierarchy.parent;
   const IndexLists neighbors = limber::neighbors(torus.mesh, incident_triangles(torus.mesh));
   Clusters clusters(level_begin, neighbors);
   for (Index node = 0; node < level_begin[5]; ++node) clusters.place({node, parent[node]});
-  const auto above = [&parent = parent](Index vertex, Index level) {
+  const auto above = [&](Index vertex, Index level) {
     while (level-- > 0) vertex = parent[vertex];
     return vertex;
   };
-  const auto children = [&, &parent = parent](Index node) {
+  const auto children = [&](Index node) {
     std::vector<Index> found;
     for (Index n = level_begin[5]; n-- > 0;)
       if (parent[n] == node) found.push_back(n);  // the one that came last first
