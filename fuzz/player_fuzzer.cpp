@@ -68,15 +68,18 @@ limber_view make_view(Script& script) {
   return view;
 }
 
-void require_mesh(const limber_mesh& mesh, const limber_info& info) {
-  require(mesh.vertex_count <= info.node_count && mesh.triangle_count <= info.triangle_count);
+// Where changes are blended the numbers of nodes go on with those of vertices on their way.
+void require_mesh(const limber_mesh& mesh, const limber_info& info, bool blends) {
+  const std::uint32_t node_end = info.node_count + (blends ? info.vertex_count : 0);
+  require(mesh.vertex_count <= node_end && mesh.triangle_count <= info.triangle_count);
   for (std::uint32_t v = 0; v < mesh.vertex_count; ++v) {
-    require(mesh.nodes[v] < info.node_count && (v == 0 || mesh.nodes[v - 1] < mesh.nodes[v]));
+    require(mesh.nodes[v] < node_end && (v == 0 || mesh.nodes[v - 1] < mesh.nodes[v]));
     if (mesh.levels) require(mesh.levels[v] < info.level_count);
+    if (mesh.nodes[v] >= info.node_count) continue;
     for (std::size_t k = 0; k < 3; ++k) require(std::isfinite(mesh.positions[3 * std::size_t{v} + k]));
   }
   for (std::size_t i = 0; i < 3 * std::size_t{mesh.triangle_count}; ++i) require(mesh.indices[i] < mesh.vertex_count);
-  for (std::uint32_t v = 0; v < info.vertex_count; ++v) require(mesh.labels[v] < info.node_count);
+  for (std::uint32_t v = 0; v < info.vertex_count; ++v) require(mesh.labels[v] < node_end);
 }
 
 void update(limber_player* player, limber_cut* cut, Script& script) {
@@ -89,13 +92,14 @@ void update(limber_player* player, limber_cut* cut, Script& script) {
   options.level = amount & 15u;
   options.budget = amount * 2u;
   options.error_bound = static_cast<float>(amount) / 16;
+  options.blend = script.next() & 7u;
   const limber_view view = make_view(script);
   if ((how & 64u) == 0) options.view = &view;
   limber_mesh mesh = LIMBER_MESH_INIT;
   limber_info info = LIMBER_INFO_INIT;
   if (limber_cut_update(cut, &options, &mesh) != LIMBER_OK) return;
   require(limber_get_info(player, &info) == LIMBER_OK && mesh.frame == limber_shown_frame(player));
-  require_mesh(mesh, info);
+  require_mesh(mesh, info, options.blend > 1);
 }
 
 }  // namespace

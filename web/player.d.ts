@@ -88,6 +88,12 @@ export interface CutOptions {
   hold?: boolean;
   /** by vertices or triangles with a view: the error that no budget is spent on going below; 0 by default */
   enough?: number;
+  /**
+   * How many frames a change takes: vertices move there from where they were. 0, by default, and 1: at once. Changes are
+   * on their way while each update is of the frame after the one before, or of the same, with the same options above but
+   * for hysteresis and view; else the cut is shown as it is. Meanwhile there are more vertices than a budget says.
+   */
+  blend?: number;
   /** what to fetch besides positions, normals, indices and nodes */
   fetch?: { levels?: boolean; errors?: boolean; moved?: boolean; labels?: boolean };
 }
@@ -109,7 +115,10 @@ export interface MeshData {
   normals: Float32Array;
   /** [3 x triangleCount], counter-clockwise seen from outside */
   indices: Uint32Array;
-  /** [vertexCount]: the same number is the same vertex from frame to frame */
+  /**
+   * [vertexCount]: the same number is the same vertex from frame to frame; from StreamInfo.nodeCount on it is one on its
+   * way, until it arrives, with level and errors of where it goes
+   */
   nodes: Uint32Array;
   /** [vertexCount]: 0 is the finest */
   levels: Uint8Array | null;

@@ -19,7 +19,7 @@ const AXES = ['x', 'y', 'z'];
 const INFO_SIZE = 208;
 const FRAME_SIZE = 32;
 const RANGE_SIZE = 16;
-const OPTIONS_SIZE = 40;
+const OPTIONS_SIZE = 48;
 const VIEW_SIZE = 168;
 const MESH_SIZE = 60;
 
@@ -267,6 +267,7 @@ export class Cut {
 
   update({
     by = 'level', level = 0, budget = 0, errorBound = 1, hysteresis = 1.6, fetch = {}, view = null, hold = false, enough = 0,
+    blend = 0,
   } = {}) {
     const { player } = this;
     if (!(by in CRITERIA)) throw new LimberError('wrong-call', `a cut is by level, vertices, triangles or error, not by ${by}`);
@@ -281,6 +282,8 @@ export class Cut {
     options.setUint32(28, hold ? 1 : 0, true);
     options.setFloat32(32, enough, true);
     options.setUint32(36, view ? this.view : 0, true);
+    options.setUint32(40, blend, true);
+    options.setUint32(44, 0, true);
     if (view) writeView(player.view(this.view, VIEW_SIZE), view);
     const finestCount = fetch.labels ? player.vertexCount : 0;
     player.view(this.mesh, MESH_SIZE).setUint32(0, MESH_SIZE, true);

@@ -193,8 +193,10 @@ TEST(Decoder, RefusesChunksThatItNeedsButDoesNotKnow) {
 
 TEST(Decoder, RefusesOtherFilesAndVersions) {
   auto bytes = encode(rough_clip(1), {});
-  put(bytes, 8, 2);
-  EXPECT_EQ(open_code(bytes), ErrorCode::kUnsupported);
+  for (const std::uint32_t version : {1u, 3u}) {
+    put(bytes, 8, version);
+    EXPECT_EQ(open_code(bytes), ErrorCode::kUnsupported);
+  }
   bytes[0] = std::byte{'o'};
   EXPECT_EQ(open_code(bytes), ErrorCode::kBadInput);
   EXPECT_EQ(open_code(std::span(bytes).first(1)), ErrorCode::kBadInput);

@@ -413,6 +413,63 @@ TEST(CPlayer, MarksTheSameMovedVerticesHoweverTheFrameWasReached) {
   }
 }
 
+TEST(CPlayer, BlendsChangesAsTheCppPlayerDoes) {
+  const Bytes bytes = make_stream();
+  const OwnedPlayer player = player_of(bytes);
+  const OwnedCut cut(limber_cut_create(player.get()));
+  limber_cut_options options = by_vertices(60);
+  options.blend = 3;
+  options.fetch = LIMBER_FETCH_LEVELS | LIMBER_FETCH_ERRORS;
+  Player native;
+  ASSERT_TRUE(native.open(bytes));
+  ASSERT_TRUE(native.seek(0));
+  const Mesh& finest = native.mesh();
+  const Hierarchy& hierarchy = native.state().hierarchy;
+  Cut native_cut(finest, hierarchy, {.by = CutBy::kVertices, .budget = 60, .hysteresis = options.hysteresis});
+  Blend blend(finest, hierarchy, {.frames = 3});
+  ExtractScratch scratch;
+  MeshBuffers buffers;
+  std::size_t moving_count = 0;
+  for (std::uint32_t frame = 0; frame < kFrameCount; ++frame) {
+    ASSERT_TRUE(native.seek(frame));
+    native_cut.update(finest, native.state());
+    blend.update(native.state(), native_cut);
+    extract(finest, blend, scratch, buffers);
+    ASSERT_EQ(limber_seek(player.get(), frame), LIMBER_OK);
+    limber_mesh mesh = LIMBER_MESH_INIT;
+    ASSERT_EQ(limber_cut_update(cut.get(), &options, &mesh), LIMBER_OK);
+    const Drawn got = drawn(mesh);
+    EXPECT_EQ(got.positions, buffers.positions);
+    EXPECT_EQ(got.normals, buffers.normals);
+    EXPECT_EQ(got.indices, buffers.indices);
+    EXPECT_EQ(got.nodes, buffers.nodes);
+    EXPECT_TRUE(std::equal(got.labels.begin(), got.labels.end(), blend.labels().begin(), blend.labels().end()));
+    for (std::size_t v = 0; v < got.nodes.size(); ++v) {
+      const bool moves = got.nodes[v] >= hierarchy.node_count();
+      const Index node = moves ? blend.target(got.nodes[v] - hierarchy.node_count()) : got.nodes[v];
+      EXPECT_EQ(mesh.levels[v], hierarchy.level_of(node));
+      moving_count += moves;
+    }
+  }
+  EXPECT_GT(moving_count, 0u);
+}
+
+TEST(CPlayer, ShowsChangesAtOnceWhereNotAskedToBlendThem) {
+  const OwnedPlayer player = player_of(make_stream());
+  const OwnedCut cut(limber_cut_create(player.get())), other(limber_cut_create(player.get()));
+  limber_cut_options options = by_vertices(60), blended = options;
+  for (std::uint32_t frame = 0; frame < kFrameCount; ++frame) {
+    ASSERT_EQ(limber_seek(player.get(), frame), LIMBER_OK);
+    limber_mesh mesh = LIMBER_MESH_INIT, same = LIMBER_MESH_INIT;
+    blended.blend = frame < 6 ? 4 : frame % 2;  // what was on its way is dropped
+    ASSERT_EQ(limber_cut_update(cut.get(), &options, &mesh), LIMBER_OK);
+    ASSERT_EQ(limber_cut_update(other.get(), &blended, &same), LIMBER_OK);
+    if (frame == 0 || frame >= 6) {
+      EXPECT_EQ(drawn(mesh), drawn(same)) << frame;
+    }
+  }
+}
+
 TEST(CPlayer, DoesNotAllocateOncePlayedThrough) {
   const OwnedPlayer player = player_of(make_stream());
   const OwnedCut cut(limber_cut_create(player.get()));
@@ -424,6 +481,9 @@ TEST(CPlayer, DoesNotAllocateOncePlayedThrough) {
   seen.by = LIMBER_BY_ERROR;
   seen.error_bound = 30;
   seen.view = &looks.view;
+  const OwnedCut blended(limber_cut_create(player.get()));
+  limber_cut_options blend = options;
+  blend.blend = 4;
   const auto play = [&] {
     for (std::uint32_t frame = 0; frame < kFrameCount; ++frame) {
       limber_mesh mesh = LIMBER_MESH_INIT;
@@ -431,9 +491,11 @@ TEST(CPlayer, DoesNotAllocateOncePlayedThrough) {
       ASSERT_EQ(limber_cut_update(cut.get(), &options, &mesh), LIMBER_OK);
       looks.view.eye[0] = 4 + 0.1 * frame;
       ASSERT_EQ(limber_cut_update(looked_at.get(), &seen, &mesh), LIMBER_OK);
+      ASSERT_EQ(limber_cut_update(blended.get(), &blend, &mesh), LIMBER_OK);
     }
   };
   play();
+  play();  // from here on each begins with what the last frame's hysteresis left
   const std::size_t before = test::allocation_count();
   play();
   EXPECT_EQ(test::allocation_count(), before);

@@ -27,6 +27,19 @@ TEST(VertexErrors, AreDistancesWhateverTheArea) {
   }
 }
 
+TEST(VertexErrors, OfANodeThatIsThereTwiceCountOnce) {
+  const test::Surface s = test::sheet(4, 5);
+  FrameState state = test::patch_state(s, {20, 4});
+  for (Index n = 20; n < 24; ++n) state.errors[n] = static_cast<float>(n);
+  Cut cut(s.mesh, state.hierarchy, {.level = 1});
+  cut.update(s.mesh, state);
+  VertexErrors once, twice;
+  measure_errors(s.mesh, state, cut, std::vector<Index>{20, 21, 22, 23}, once);
+  measure_errors(s.mesh, state, cut, std::vector<Index>{20, 21, 22, 23, 21, 21}, twice);
+  EXPECT_EQ(twice.all, once.all);
+  EXPECT_EQ(twice.of_vertex.at(5), once.of_vertex.at(1));
+}
+
 TEST(VertexErrors, AreNothingWhereThereIsNoAreaAndAtTheFinestLevel) {
   const test::Surface s = test::sheet(4, 5);
   const FrameState state = test::patch_state(s, {20, 4});

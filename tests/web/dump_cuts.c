@@ -3,6 +3,7 @@
 // players on other machines give is compared with it (player_test.mjs). Words and their numbers are members of a view:
 //   eye X Y Z   step X Y Z (of the eye, each frame)   target X Y Z   silhouettes F   away F   focus X Y Z R
 //   along AXIS FROM TO   hold 0|1   enough N
+// or of the options: blend N
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,6 +25,10 @@ static void read_view(char** words, limber_cut_options* options, limber_view* vi
   double numbers[4];
   while (*words) {
     const char* word = *words++;
+    if (strcmp(word, "blend") == 0) {
+      options->blend = (uint32_t)atoi(*words++);
+      continue;
+    }
     options->view = view;
     if (strcmp(word, "eye") == 0) {
       view->criteria |= LIMBER_VIEW_CAMERA;

@@ -39,14 +39,15 @@ function bytesOf(mesh) {
 }
 
 // The words of dump_cuts for the view of some options.
-function wordsOf({ view, hold = false, enough = 0 }) {
-  if (!view) return [];
+function wordsOf({ view, hold = false, enough = 0, blend = 0 }) {
+  const blending = ['blend', String(blend)];
+  if (!view) return blending;
   const { camera, silhouettes = 1, facingAway = 1, focus, along } = view;
   const words = ['silhouettes', silhouettes, 'away', facingAway, 'hold', hold ? 1 : 0, 'enough', enough];
   if (camera) words.push('eye', ...camera.eye, 'target', ...camera.target, 'step', ...camera.step);
   if (focus) words.push('focus', ...focus.center, focus.radius);
   if (along) words.push('along', ['x', 'y', 'z'].indexOf(along.axis), along.from, along.to);
-  return words.map(String);
+  return [...blending, ...words.map(String)];
 }
 
 async function expectSameCuts(file, by, amount, looking = {}) {
@@ -113,6 +114,27 @@ const views = (scale) => [
 
 test('native and WebAssembly players give the same bytes when looked at', async () => {
   for (const view of views(1)) await expectSameCuts(sample(), ...view);
+});
+
+test('native and WebAssembly players give the same bytes where changes are blended', async () => {
+  for (const [by, amount] of [['vertices', 300], ['triangles', 700], ['error', 0.2]]) await expectSameCuts(sample(), by, amount, { blend: 4 });
+  await expectSameCuts(sample(), 'error', 2, { blend: 3, view: { camera: camera(1) } });
+});
+
+test('what is blended has vertices on their way, and in the end none', async () => {
+  const player = await playerOf(sample());
+  const cut = player.createCut();
+  const { nodeCount, levelSizes } = player.info;
+  const options = { by: 'vertices', budget: 300, blend: 4, fetch: { levels: true, errors: true } };
+  const moving = (mesh) => mesh.nodes.reduce((sum, node) => sum + (node >= nodeCount ? 1 : 0), 0);
+  player.seek(10);
+  assert.equal(moving(cut.update(options)), 0); // the first is shown as it is
+  player.seek(11);
+  const mesh = cut.update(options);
+  assert.ok(moving(mesh) > 0);
+  assert.ok(mesh.levels.every((level) => level < levelSizes.length));
+  assert.ok(mesh.errors.every((error) => error >= 0));
+  assert.equal(moving(cut.update({ ...options, blend: 0 })), 0);
 });
 
 test('a view outside its ranges is refused, and the next one is not', async () => {

@@ -93,11 +93,35 @@ describe('the viewer', { skip }, () => {
     withPage(url, async (page) => {
       await shows(page, () => limberViewer.state.framesShown > 5);
       assert.equal(await page.title(), 'gallop.limber – limber');
-      assert.match(await page.textContent('#about'), /3,0\d\d vertices · .* · 40 frames/);
+      assert.match(await page.textContent('#about'), /3,0\d\d\svertices · .* · 40\sframes/);
       await page.keyboard.press(' ');
       const { frame } = await state(page);
       await page.waitForTimeout(200);
       assert.ok((await state(page)).frame - frame <= 1, 'it stands still');
+    }));
+
+  test('changes are blended from frame to frame where that is asked for', () =>
+    withPage(`${url}#paused&vertices=300&blend=4`, async (page) => {
+      await firstPicture(page);
+      const moving = () => page.evaluate(() => {
+        const { last, info } = limberViewer.state;
+        return last.meshes[0].nodes.reduce((sum, node) => sum + (node >= info.nodeCount ? 1 : 0), 0);
+      });
+      const goTo = async (frame) => {
+        await page.evaluate((to) => limberViewer.seek(to), frame);
+        await shows(page, `limberViewer.state.last?.frame === ${frame}`);
+      };
+      await goTo(9);
+      assert.equal(await moving(), 0, 'a seek shows the cut as it is');
+      for (const frame of [10, 11]) await goTo(frame);
+      assert.ok((await moving()) > 0);
+      assert.equal(await page.inputValue('#blend'), '4');
+      await page.keyboard.press('2');
+      await page.keyboard.press('m');
+      await goTo(12);
+      await page.keyboard.press('g');
+      assert.equal(await page.inputValue('#blend'), '0');
+      await shows(page, () => limberViewer.state.last.meshes[0].nodes.every((node) => node < limberViewer.state.info.nodeCount));
     }));
 
   test('the first picture needs the header and the first key, a seek its own key', () =>
@@ -264,11 +288,32 @@ describe('the viewer', { skip }, () => {
       await drop('song.mp3', Buffer.from('ID3 and so on, which is no stream at all'));
       await page.waitForSelector('#card:visible');
       assert.equal(await page.textContent('#card h2'), 'This is not a .limber stream');
+      assert.equal(await page.isVisible('#close'), false);
+      assert.equal(await page.textContent('#s-triangles'), '–', 'nothing is left of the stream before');
+      assert.equal(await page.evaluate(() => limberViewer.stage.approximation.geometry.drawRange.count), 0);
       const damaged = Buffer.from(readFileSync(file('a flag & more.limber')));
       damaged[damaged.length >> 1] ^= 16;
       await drop('damaged.limber', damaged);
       await shows(page, () => !document.getElementById('card').hidden && /cannot be read/.test(document.getElementById('card').textContent));
       assert.match(await page.textContent('#card p'), /byte \d+: .*checksum/);
+      const older = Buffer.from(damaged);
+      older.writeUInt32LE(1, 8);
+      await drop('older.limber', older);
+      await shows(page, () => /another version/.test(document.querySelector('#card h2').textContent));
+      assert.match(await page.textContent('#card p'), /version 1 of the format; this limber reads version 2/);
+      const late = Buffer.from(readFileSync(file('gallop.limber')));
+      late[late.length - (late.length >> 3)] ^= 16;
+      await drop('late.limber', late);
+      await shows(page, () => limberViewer.state.info?.frameCount === 40 && limberViewer.state.shown);
+      await page.evaluate(() => limberViewer.setPlaying(false));
+      for (let frame = 39; frame > 30 && !(await page.isVisible('#card')); --frame) {
+        await page.evaluate((to) => limberViewer.seek(to), frame);
+        await shows(page, `limberViewer.state.last?.frame === ${frame} || !document.getElementById('card').hidden`);
+      }
+      assert.equal(await page.textContent('#card h2'), 'A part of this stream cannot be read');
+      await page.click('#close');
+      await page.evaluate(() => limberViewer.seek(3));
+      await shows(page, () => limberViewer.state.last?.frame === 3 && document.getElementById('card').hidden);
       await drop('short.limber', readFileSync(file('gallop.limber')).subarray(0, 300));
       await shows(page, () => /ends before its first frame/.test(document.getElementById('card').textContent));
       await drop('flag.limber', readFileSync(file('a flag & more.limber')));

@@ -26,7 +26,7 @@ export function clusterColor(node, target) {
   return target.setHSL(turn, 0.58, light);
 }
 
-// Fills `table` ([3 x nodeCount]) where nodes of the mesh stand. `scale`: the error that has the last colour.
+// Fills `table` (three numbers a node) where nodes of the mesh stand. `scale`: the error that has the last colour.
 export function colorNodes(mode, mesh, levelCount, scale, table) {
   const color = new Color();
   for (let v = 0; v < mesh.vertexCount; ++v) {

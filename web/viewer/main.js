@@ -31,6 +31,7 @@ const state = {
   isShowing: false, needsShow: false, shown: null, framesShown: 0,
   look: { wireframe: false, flat: false, colors: 'none', flash: false },
   compare: 'off',
+  blend: 0, // frames that a change takes
 };
 
 // ---- The picture
@@ -69,7 +70,7 @@ function cuts() {
   const { colors, flash } = state.look;
   const isCompared = state.compare !== 'off';
   const fetch = { errors: true, moved: true, levels: colors === 'levels', labels: isCompared && colors !== 'none' };
-  const list = [{ ...detail.options(), view: looking.view(detail.by), fetch }];
+  const list = [{ ...detail.options(), view: looking.view(detail.by), blend: state.blend, fetch }];
   if (isCompared) list.push({ by: 'level', level: 0 });
   return list;
 }
@@ -193,6 +194,7 @@ async function open(source, { isAgain = false } = {}) {
   state.keepsCamera = isAgain;
   Object.assign(state, { player: null, info: null, source, isShowing: false, needsShow: false, shown: null, last: null, bytesAtFirstPicture: undefined });
   by('card').hidden = true;
+  if (!isAgain) clearPicture();
   by('name').textContent = source.name;
   by('about').textContent = 'Loading…';
   document.title = `${source.name} – limber`;
@@ -203,6 +205,14 @@ async function open(source, { isAgain = false } = {}) {
   listen('progress', progressed);
   listen('failure', fail);
   await player.open(source.from, { prefetch: Number(settings.prefetch ?? PREFETCH) }).catch(() => {}); // 'failure' says it
+}
+
+// What is seen is never another stream's.
+function clearPicture() {
+  stage.clear();
+  timeline.setStream(0);
+  by('legend').hidden = true;
+  for (const id of ['frame', 's-triangles', 's-vertices', 's-error', 's-seen', 's-moved', 's-times', 's-loaded']) by(id).textContent = '–';
 }
 
 function infoArrived({ info, sizes, keys }) {
@@ -222,7 +232,7 @@ function infoArrived({ info, sizes, keys }) {
   by('about').textContent = [
     `${count(info.vertexCount)} vertices`, `${count(info.triangleCount)} triangles`, `${count(frameCount())} frames`,
     `${info.levelSizes.length} levels`, `${keyCount} ${keyCount === 1 ? 'key' : 'keys'}`,
-  ].join(' · ');
+  ].map((fact) => fact.replace(' ', '\u00a0')).join(' · ');
 }
 
 function progressed({ bytesThere, size, there }) {
@@ -234,20 +244,25 @@ function progressed({ bytesThere, size, there }) {
 
 const HEADINGS = {
   'bad-stream': 'This stream cannot be read',
-  unsupported: 'This stream needs a newer limber',
+  unsupported: 'This stream is of another version of limber',
   'no-memory': 'This stream is too large for this page',
   network: 'The connection was lost',
 };
 
 function fail(error) {
   setPlaying(false);
-  by('about').textContent = '';
-  const isOther = /not a \.limber stream/.test(error.message);
-  say(isOther ? 'This is not a .limber stream' : (HEADINGS[error.code] ?? 'Something went wrong'), error.message, { retry: error.code === 'network' });
+  if (!state.info) by('about').textContent = '';
+  let heading = HEADINGS[error.code] ?? 'Something went wrong';
+  if (/not a \.limber stream/.test(error.message)) heading = 'This is not a .limber stream';
+  else if (error.code === 'bad-stream' && state.shown)
+    heading = /ends before/.test(error.message) ? 'This stream ends too early' : 'A part of this stream cannot be read';
+  say(heading, error.message, { retry: error.code === 'network' });
 }
 
+// Where some of the stream is there the card can be put away, and that looked at.
 function say(heading, text, { retry = false } = {}) {
   const card = by('card');
+  by('close').hidden = !state.shown;
   card.querySelector('h2').textContent = heading;
   card.querySelector('p').textContent = text;
   by('retry').hidden = !retry;
@@ -333,6 +348,13 @@ function look(change) {
   show();
 }
 
+function setBlend(frames) {
+  const choices = [...by('blend').options].map((option) => Number(option.value));
+  state.blend = choices.findLast((choice) => choice <= frames) ?? 0;
+  by('blend').value = state.blend;
+  show();
+}
+
 function setCompare(compare) {
   state.compare = compare;
   for (const button of by('compare').children) {
@@ -414,6 +436,7 @@ const actions = {
   open: () => by('file').click(),
   choose: () => by('file').click(),
   retry: () => open(state.source, { isAgain: true }),
+  close: () => (by('card').hidden = true),
   help: () => by('keys').showModal(),
   more: () => by('panel').classList.toggle('open'),
 };
@@ -422,6 +445,7 @@ for (const id of ['back', 'forth', 'loop', 'more']) by(id).innerHTML = icons[id]
 by('speed').addEventListener('change', (event) => (state.speed = parseFloat(event.target.value)));
 for (const id of ['wireframe', 'flat', 'flash']) by(id).addEventListener('change', (event) => look({ [id]: event.target.checked }));
 by('colors').addEventListener('change', (event) => look({ colors: event.target.value }));
+by('blend').addEventListener('change', (event) => setBlend(Number(event.target.value)));
 by('preset').addEventListener('change', (event) => state.shown && event.target.value && applyPreset(event.target.value));
 by('compare').addEventListener('click', (event) => event.target.dataset.value && setCompare(event.target.dataset.value));
 by('canvas').addEventListener('dblclick', (event) => {
@@ -455,6 +479,10 @@ const keys = {
   w: () => look({ wireframe: !state.look.wireframe }),
   s: () => look({ flat: !state.look.flat }),
   m: () => look({ flash: !state.look.flash }),
+  g: () => {
+    setBlend(state.blend > 0 ? 0 : 4);
+    toast(state.blend > 0 ? `Changes blended over ${state.blend} frames` : 'Changes at once');
+  },
   1: () => look({ colors: 'none' }),
   2: () => look({ colors: 'levels' }),
   3: () => look({ colors: 'clusters' }),
@@ -468,6 +496,7 @@ const keys = {
   l: actions.loop,
   t: actions.theme,
   o: actions.open,
+  Escape: () => by('close').hidden || actions.close(),
   '?': actions.help,
 };
 
@@ -515,6 +544,7 @@ look({
   colors: ['levels', 'clusters', 'errors'].includes(settings.colors) ? settings.colors : 'none',
   wireframe: 'wireframe' in settings, flat: 'flat' in settings, flash: 'flash' in settings,
 });
+setBlend(Number(settings.blend ?? 0) || 0);
 if (settings.up === 'z') actions.up();
 setCompare(COMPARE.includes(settings.compare) ? settings.compare : 'off');
 const first = streamOfPage();
@@ -523,4 +553,4 @@ else say('Nothing is open', 'Drop a .limber stream here, or open one. “limber 
 requestAnimationFrame(tick);
 
 // For tests, and for who likes the console.
-globalThis.limberViewer = { state, stage, timeline, detail, looking, applyPreset, open, seek, setPlaying, look, setCompare, setSplit };
+globalThis.limberViewer = { state, stage, timeline, detail, looking, applyPreset, open, seek, setPlaying, look, setBlend, setCompare, setSplit };

@@ -128,15 +128,25 @@ export class Stage {
     this.repaint();
   }
 
-  // [nodeCount] arrays for a new stream.
+  // Arrays for a new stream, by node. On their way between nodes are at most as many vertices as the finest level has.
   setStream(info, keepsCamera = false) {
     this.info = info;
-    this.table = new Float32Array(3 * info.nodeCount);
-    this.flashedAt = new Float64Array(info.nodeCount).fill(-1e9);
+    const count = info.nodeCount + info.vertexCount;
+    this.table = new Float32Array(3 * count);
+    this.flashedAt = new Float64Array(count).fill(-1e9);
     this.errorScale = 0;
     this.approximation.data = null;
     this.original.data = null;
     if (!keepsCamera) this.sphere = null;
+  }
+
+  // Nothing is shown until the next setMeshes().
+  clear() {
+    for (const shape of [this.approximation, this.original]) {
+      shape.data = null;
+      shape.geometry.setDrawRange(0, 0);
+    }
+    this.isDirty = true;
   }
 
   setMeshes(approximation, original, labels) {

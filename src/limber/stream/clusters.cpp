@@ -1,21 +1,83 @@
 // SPDX-License-Identifier: Apache-2.0
+//   find_below                             a few finest vertices below the node
+//   list_far_ends                          where edges lead from them, as nodes of the node's level
+//   candidates                             the clusters that those are in, each with its edges, sorted
 #include "limber/stream/clusters.h"
 
 #include <algorithm>
+#include <array>
 
 namespace limber {
+namespace {
+
+// More vertices and edges than these find hardly a cluster that is not found already, but a coarse node has thousands.
+constexpr std::size_t kMostBelow = 8;
+constexpr std::size_t kFewBelow = 4;  // so many stand for what is below them by one child each
+constexpr std::size_t kMostEdges = 64;
+
+template <std::size_t kMost>
+struct FewNodes {
+  std::array<Index, kMost> nodes;
+  std::size_t count = 0;
+
+  std::span<Index> all() { return std::span(nodes).first(count); }
+};
+
+// On the way down all children of few nodes are taken, and one child of each of more.
+FewNodes<kMostBelow> find_below(const ChildLists& children, Index level, Index node) {
+  FewNodes<kMostBelow> below;
+  below.nodes[below.count++] = node;
+  for (; level > 0; --level) {
+    FewNodes<kMostBelow> next;
+    const bool few = below.count < kFewBelow;
+    for (const Index above : below.all()) {
+      Index child = children.first_child(above);
+      while (child != kNone && next.count < kMostBelow) {
+        next.nodes[next.count++] = child;
+        child = few ? children.next_sibling(child) : kNone;
+      }
+    }
+    below = next;
+  }
+  return below;
+}
+
+// Edges go up level by level, all of them at once, so that a processor need not wait for one to fetch the next.
+FewNodes<kMostEdges> list_far_ends(const IndexLists& neighbors, std::span<const Index> parent, Index level,
+                                   std::span<const Index> below) {
+  FewNodes<kMostEdges> ends;
+  for (const Index vertex : below) {
+    const auto ring = neighbors[vertex];
+    for (const Index neighbor : ring.first(std::min(ring.size(), kMostEdges - ends.count)))
+      ends.nodes[ends.count++] = neighbor;
+  }
+  for (; level > 0; --level)
+    for (Index& end : ends.all()) end = parent[end];
+  return ends;
+}
+
+// There are too few for anything better.
+void insertion_sort(std::span<Candidate> candidates) {
+  const auto comes_before = [](const Candidate& a, const Candidate& b) {
+    return a.edge_count != b.edge_count ? a.edge_count > b.edge_count : a.parent < b.parent;
+  };
+  for (std::size_t i = 1; i < candidates.size(); ++i) {
+    const Candidate candidate = candidates[i];
+    std::size_t at = i;
+    for (; at > 0 && comes_before(candidate, candidates[at - 1]); --at) candidates[at] = candidates[at - 1];
+    candidates[at] = candidate;
+  }
+}
+
+}  // namespace
 
 Clusters::Clusters(std::span<const Index> level_begin, const IndexLists& neighbors)
     : level_begin_(level_begin),
       neighbors_(neighbors),
       parent_(level_begin.back(), kNone),
       children_(level_begin.back()),
-      edge_count_(std::size_t{level_begin.back()} + 1, 0),
-      found_(std::size_t{level_begin.back()} - level_begin[1] + 2),
-      candidates_(level_begin.back() - level_begin[1]),
-      below_(level_begin.back() - level_begin[1] + std::size_t{1}),
-      looked_up_(level_begin.size() > 2 ? level_begin[2] - level_begin[1] : 0),
-      changed_(candidates_.size()) {}
+      candidates_(kMostEdges),
+      changed_(level_begin.back() - level_begin[1]) {}
 
 void Clusters::clear() {
   std::fill(parent_.begin(), parent_.end(), kNone);
@@ -38,87 +100,31 @@ void Clusters::apply(const Swap& swap) {
   parent_[node] = to;
 }
 
-// Those of a node at least two levels above the finest: a neighbour is taken up to its cluster once for all vertices
-// that it shares its own cluster with, and not at all where it lies below the node itself, as most do.
-template <class Count>
-void Clusters::for_each_edge_out(Index level, Index node, Count&& count) {
-  const Index* const parent = parent_.data();
-  const Index base = level_begin_[1], no_cluster = level_begin_.back();
-  if (++round_ == 0) {
-    std::fill(looked_up_.begin(), looked_up_.end(), LookedUp{});
-    round_ = 1;
-  }
-  const std::uint32_t round = round_;
-  LookedUp* const looked_up = looked_up_.data();
-  below_[0] = node;
-  std::size_t begin = 0, end = 1;
-  for (Index at_level = level; at_level > 1; --at_level) {
-    const std::size_t level_end = end;
-    for (; begin < level_end; ++begin) {
-      for (Index child = children_.first_child(below_[begin]); child != kNone; child = children_.next_sibling(child))
-        below_[end++] = child;
-    }
-  }
-  for (std::size_t i = begin; i < end; ++i) looked_up[below_[i] - base] = {round, no_cluster};
-  for (std::size_t i = begin; i < end; ++i) {
-    for (Index vertex = children_.first_child(below_[i]); vertex != kNone; vertex = children_.next_sibling(vertex)) {
-      for (const Index neighbor : neighbors_[vertex]) {
-        LookedUp& above = looked_up[parent[neighbor] - base];
-        if (above.round != round) {
-          Index label = parent[neighbor];
-          for (Index k = 1; k <= level; ++k) label = parent[label];
-          above = {round, std::min(label, no_cluster)};
-        }
-        if (above.cluster != no_cluster) count(above.cluster);
-      }
-    }
-  }
-}
-
-template <class Count>
-void Clusters::for_each_edge_out_of_fine(Index level, Index node, Count&& count) const {
-  const Index* const parent = parent_.data();
-  const Index no_cluster = level_begin_.back();
-  if (level == 0) {
-    for (const Index neighbor : neighbors_[node]) count(std::min(parent[neighbor], no_cluster));
-    return;
-  }
-  for (Index vertex = children_.first_child(node); vertex != kNone; vertex = children_.next_sibling(vertex)) {
-    for (const Index neighbor : neighbors_[vertex]) {
-      const Index label = parent[neighbor];
-      count(label == node ? no_cluster : std::min(parent[label], no_cluster));
-    }
-  }
-}
-
-// Edges are counted without a branch: nothing foretells whether a cluster was met before, or is the node's own.
+// Most edges stay in the own cluster: they are dropped without a branch, which nothing could foretell.
 std::span<const Candidate> Clusters::candidates(Index level, Index node, std::uint32_t& own_edge_count) {
-  std::uint32_t* const edge_count = edge_count_.data();
-  Index* const found = found_.data();
-  const Index no_cluster = level_begin_.back();
-  std::size_t found_count = 0;
-  const auto count_edge = [&](Index cluster) {
-    found[found_count] = cluster;
-    found_count += edge_count[cluster]++ == 0;
-  };
-  if (level < 2) {
-    for_each_edge_out_of_fine(level, node, count_edge);
-  } else {
-    for_each_edge_out(level, node, count_edge);
+  auto below = find_below(children_, level, node);
+  auto ends = list_far_ends(neighbors_, parent_, level, below.all());
+  const Index own = parent_[node];
+  own_edge_count = 0;
+  std::size_t out_count = 0;
+  for (const Index end : ends.all()) {
+    const Index cluster = parent_[end];
+    const std::uint32_t leaves = (end != node) & (cluster != kNone), is_own = cluster == own;
+    own_edge_count += leaves & is_own;
+    ends.nodes[out_count] = cluster;
+    out_count += leaves & ~is_own;
   }
 
-  const Index own = parent_[node];
-  own_edge_count = own == kNone ? 0 : edge_count[own];
   std::size_t count = 0;
-  for (const Index cluster : std::span(found, found_count)) {
-    if (cluster != own && cluster != no_cluster) candidates_[count++] = {cluster, edge_count[cluster]};
-    edge_count[cluster] = 0;
+  for (const Index cluster : std::span(ends.nodes).first(out_count)) {
+    std::size_t at = 0;
+    while (at < count && candidates_[at].parent != cluster) ++at;
+    if (at == count) candidates_[count++] = {cluster, 0};
+    ++candidates_[at].edge_count;
   }
-  const std::span candidates = std::span(candidates_).first(count);
-  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
-    return a.edge_count != b.edge_count ? a.edge_count > b.edge_count : a.parent < b.parent;
-  });
-  return candidates;
+  const std::span found = std::span(candidates_).first(count);
+  insertion_sort(found);
+  return found;
 }
 
 }  // namespace limber

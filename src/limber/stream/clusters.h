@@ -13,8 +13,7 @@
 
 namespace limber {
 
-// A cluster beside a node: the number of finest edges between the node's vertices and those of the cluster's
-// other members.
+// A cluster beside a node, and how many of the finest edges looked at lead from the node's vertices into it.
 struct Candidate {
   Index parent;
   std::uint32_t edge_count;
@@ -43,35 +42,17 @@ class Clusters {
   std::span<const std::uint8_t> changed() const { return changed_; }
   void forget_changes();
 
-  // The clusters of a node's level, other than its own, that an edge joins to it: those with the most edges first,
-  // then the lower. Valid until the next call. `own_edge_count`: edges to the rest of its own cluster.
-  // Precondition: below `level` every node has a parent.
+  // The clusters of a node's level, other than its own, that a finest edge joins to it: those with the most edges
+  // first, then the lower. Of a coarse node a few vertices are looked at (docs/format.md). Valid until the next call.
+  // `own_edge_count`: edges to the rest of its own cluster. Precondition: below `level` every node has a parent.
   std::span<const Candidate> candidates(Index level, Index node, std::uint32_t& own_edge_count);
 
  private:
-  // What a cluster of finest vertices lies in, as far as this round has asked.
-  struct LookedUp {
-    std::uint32_t round = 0;
-    Index cluster = kNone;
-  };
-
-  // The cluster at the far end of each finest edge that leaves a vertex below the node; level_begin().back() where that
-  // is the node itself, or has none yet.
-  template <class Count>
-  void for_each_edge_out(Index level, Index node, Count&& count);
-  template <class Count>
-  void for_each_edge_out_of_fine(Index level, Index node, Count&& count) const;
-
   std::span<const Index> level_begin_;
   const IndexLists& neighbors_;
   std::vector<Index> parent_;  // [node_count]
   ChildLists children_;
-  std::vector<std::uint32_t> edge_count_;  // [node_count + 1], the last for no cluster; 0 between calls
-  std::vector<Index> found_;               // scratch: clusters whose count is not 0
   std::vector<Candidate> candidates_;
-  std::vector<Index> below_;         // scratch: nodes below one, level by level
-  std::vector<LookedUp> looked_up_;  // [size of level 1]
-  std::uint32_t round_ = 0;
   std::vector<std::uint8_t> changed_;
 };
 

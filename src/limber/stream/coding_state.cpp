@@ -10,7 +10,8 @@ void CodingState::reset_models() {
   finest_statistics.reset();
   coarser_statistics.reset();
   hierarchy_models = {};
-  error_models = {};
+  errors.key_statistics.reset();
+  errors.step_statistics.reset();
 }
 
 CodingState::CodingState(const Mesh& mesh, std::span<const Index> level_begin, bool lossless,

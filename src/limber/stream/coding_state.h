@@ -35,9 +35,8 @@ struct CodingState {
   CoarserPositions coarser;
   ResidualStatistics finest_statistics, coarser_statistics;
   HierarchyModels hierarchy_models;
-  ErrorModels error_models;
-  std::vector<std::int32_t> errors;  // [node_count - vertex_count], quantised
-  std::vector<Index> order;          // [node_count]: scratch
+  ErrorState errors;
+  std::vector<Index> order;  // [node_count]: scratch
 
  private:
   CodingState(const Mesh& mesh, std::span<const Index> level_begin, bool lossless, const IndexLists& incident);

@@ -8,6 +8,7 @@
 
 #include "limber/stream/chunk.h"
 #include "limber/stream/coding_state.h"
+#include "limber/stream/frame_decoding.h"
 #include "limber/stream/mesh_coding.h"
 
 namespace limber {
@@ -108,8 +109,6 @@ struct Decoder::Stream {
   std::span<const std::byte> section(std::size_t i) const {
     return bytes.subspan(sections[i].begin, sections[i].length);
   }
-  bool code_hierarchy(bool key, FrameState& state);
-  const char* code_positions(bool key, FrameState& state);
 };
 
 void Decoder::Stream::add_frame(std::uint64_t offset, bool key) {
@@ -238,74 +237,6 @@ Result<void> Decoder::Stream::read_sections(std::uint32_t frame) {
   }
   if (left != 0) return bad_frame(frame, "the sections do not fill their chunk");
   return {};
-}
-
-bool Decoder::Stream::code_hierarchy(bool key, FrameState& state) {
-  RangeDecoder coder(section(0));
-  Clusters& clusters = coding->clusters;
-  state.swaps.clear();
-  if (key) {
-    coding->reset_models();
-    if (!code_key_hierarchy(coder, coding->hierarchy_models, clusters, coding->traversal, coding->order)) return false;
-    std::copy(clusters.parents().begin(), clusters.parents().end(), state.hierarchy.parent.begin());
-    return true;
-  }
-  clusters.forget_changes();
-  if (!code_swaps(coder, coding->hierarchy_models, clusters, state.swaps)) return false;
-  for (const Swap& swap : state.swaps) apply(state.hierarchy, swap);
-  return true;
-}
-
-// Gives the rule that the bytes break, if any.
-const char* Decoder::Stream::code_positions(bool key, FrameState& state) {
-  const auto no_actual = [](Index) { return Lattice{}; };
-  const Index vertex_count = mesh.vertex_count;
-  constexpr std::size_t kFactorsSize = 6;
-  const auto fixed_point = [](const std::byte* from) {
-    return static_cast<std::int16_t>(load_little_endian<std::uint16_t>(from));
-  };
-  const auto in_range = [](std::int16_t factor) { return factor >= -kMostFactor && factor <= kMostFactor; };
-
-  auto finest = section(1);
-  MotionFactors factors;
-  if (!key) {
-    if (finest.size() < kFactorsSize) return "the section of the finest positions is too short";
-    factors = {fixed_point(&finest[0]), fixed_point(&finest[2]), fixed_point(&finest[4])};
-    if (!in_range(factors.past) || !in_range(factors.here) || !in_range(factors.before))
-      return "a factor of the motion is outside its range";
-    finest = finest.subspan(kFactorsSize);
-  }
-  ResidualReader finest_reader(finest, coding->finest_statistics);
-  if (key) {
-    coding->finest.code_key(finest_reader, no_actual);
-  } else {
-    coding->finest.code_step(factors, finest_reader, no_actual);
-  }
-  if (!finest_reader.consistent()) return "the finest positions are not what an encoder writes";
-  coding->finest_statistics.update();
-
-  const auto place = coding->finest.positions();
-  for (Index i = 0; i < vertex_count; ++i) state.positions[coding->traversal.order[i]] = quantizer.position(place[i]);
-
-  const auto coarser_positions = coding->coarser.positions();
-  if (!coarser_positions.empty()) {
-    ResidualReader coarser_reader(section(2), coding->coarser_statistics);
-    coding->coarser.code(key, coding->clusters.parents(), coding->traversal, coding->finest, coarser_reader,
-                         [](Index, const Lattice64&) { return Lattice{}; });
-    if (!coarser_reader.consistent()) return "the coarser positions are not what an encoder writes";
-    coding->coarser_statistics.update();
-    for (Index i = 0; i < coarser_positions.size(); ++i)
-      state.positions[vertex_count + i] = quantizer.position(coarser_positions[i]);
-  }
-  if (quantizer.lossless() && !std::all_of(state.positions.begin(), state.positions.end(), is_finite<float>))
-    return "a position is not finite";
-
-  RangeDecoder error_coder(section(3));
-  if (!code_errors(error_coder, coding->error_models, key, coding->clusters.changed(), coding->errors,
-                   [](std::size_t) { return 0; }))
-    return "an error is outside its range";
-  for (Index i = 0; i < coding->errors.size(); ++i) state.errors[vertex_count + i] = error_value(coding->errors[i]);
-  return nullptr;
 }
 
 Decoder::Decoder() = default;
@@ -441,7 +372,7 @@ Result<void> Decoder::decode_hierarchy(std::uint32_t frame, FrameState& state) {
   stream_->hierarchy_frame = stream_->position_frame = state.frame = kNone;
   auto sections = stream_->read_sections(frame);
   if (!sections) return sections;
-  if (!stream_->code_hierarchy(key, state))
+  if (!decode_hierarchy_section(*stream_->coding, key, stream_->section(0), state))
     return stream_->bad_frame(frame, "the hierarchy names a node that cannot be meant");
   stream_->hierarchy_frame = state.frame = frame;
   return {};
@@ -449,7 +380,10 @@ Result<void> Decoder::decode_hierarchy(std::uint32_t frame, FrameState& state) {
 
 Result<void> Decoder::decode_positions(std::uint32_t frame, FrameState& state) {
   assert(stream_ && stream_->hierarchy_frame == frame && state.frame == frame);
-  if (const char* broken = stream_->code_positions(is_key(frame), state)) {
+  const Stream& stream = *stream_;
+  const char* broken = decode_position_sections(*stream.coding, stream.quantizer, is_key(frame),
+                                                {stream.section(1), stream.section(2), stream.section(3)}, state);
+  if (broken != nullptr) {
     stream_->hierarchy_frame = state.frame = kNone;
     return stream_->bad_frame(frame, broken);
   }

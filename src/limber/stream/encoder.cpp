@@ -203,11 +203,16 @@ std::vector<std::byte> Encoder::Stream::coarser_section(bool key, std::span<cons
 }
 
 std::vector<std::byte> Encoder::Stream::error_section(bool key, std::span<const float> errors) {
-  RangeEncoder coder;
+  ErrorState& state = coding->errors;
+  if (state.nodes.empty()) return {};
   const Index vertex_count = header.level_begin[1];
-  code_errors(coder, coding->error_models, key, coding->clusters.changed(), coding->errors,
+  ResidualStatistics& statistics = key ? state.key_statistics : state.step_statistics;
+  ResidualWriter writer(statistics);
+  code_errors(writer, state, key, coding->clusters.changed(),
               [&](std::size_t i) { return quantized_error(errors[vertex_count + i]); });
-  return coder.finish();
+  std::vector<std::byte> section = writer.finish();
+  statistics.update();
+  return section;
 }
 
 Encoder::Encoder(ByteSink sink) : stream_(std::make_unique<Stream>()) { stream_->sink = std::move(sink); }

@@ -3,16 +3,19 @@
 //
 // An error is a float of which exponent and three bits after the leading one are kept: within 1/16. As integers
 // these are about the logarithm; a frame's are coded as the difference to the frame before, at a key frame to the
-// node before.
+// node before, three at a time as if they were the axes of a residual (residuals.h). How large a difference is to be
+// expected is told by that of the node one frame ago and those of the nodes before it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "limber/stream/range_coder.h"
+#include "limber/stream/residuals.h"
 
 namespace limber {
 
@@ -31,28 +34,63 @@ inline float error_value(std::int32_t quantized) {
   return std::bit_cast<float>(static_cast<std::uint32_t>(quantized) << kDroppedErrorBits);
 }
 
-struct ErrorModels {
-  DifferenceModel key;
-  std::array<DifferenceModel, 9> step;  // by whether the node's cluster changed, and the size of the difference before
+// What coding a frame leaves for the next.
+struct ErrorState {
+  struct Node {
+    std::int32_t error = 0;       // quantised
+    std::uint32_t magnitude = 0;  // of the last step's difference, counted as residuals are
+  };
+
+  explicit ErrorState(std::size_t count) : nodes(count) {}
+
+  std::vector<Node> nodes;  // by number less that of finest vertices
+  ResidualStatistics key_statistics, step_statistics;
 };
 
-// `errors`: quantised, those of the frame before; becomes those of this frame. `changed`: whether a child came or
-// went. `actual(i)` gives the quantised error to write. All by node less the number of finest vertices.
-// False where the bytes are wrong.
+// The table of a step's difference. The highest four are for nodes that gained or lost a child; one is for nodes
+// without an error, which mostly stay so: that one is free, as no activity leads to it.
+inline unsigned error_table(const ErrorState::Node& node, bool changed, std::uint32_t neighborhood) {
+  constexpr unsigned kChangedTables = 4, kOtherTables = kContextCount - kChangedTables;
+  if (changed) return kOtherTables + std::min(residual_context(neighborhood / 6).table, kChangedTables - 1);
+  if (node.error == 0) return 1;
+  return std::min(residual_context((neighborhood + 12 * node.magnitude) / 6).table, kOtherTables - 1);
+}
+
+// `changed`: whether a child came or went. `actual(i)` gives the quantised error to write. Both by number less that of
+// finest vertices. False where the bytes are wrong.
 template <class Coder, class Actual>
-bool code_errors(Coder& coder, ErrorModels& models, bool key, std::span<const std::uint8_t> changed,
-                 std::span<std::int32_t> errors, Actual&& actual) {
+bool code_errors(Coder& coder, ErrorState& state, bool key, std::span<const std::uint8_t> changed, Actual&& actual) {
   std::int32_t last = 0;
-  std::size_t size_before = 0;
-  for (std::size_t i = 0; i < errors.size(); ++i) {
-    const std::int32_t base = key ? last : errors[i];
-    DifferenceModel& model = key ? models.key : models.step[(base == 0 ? 2u : changed[i]) * 3u + size_before];
-    std::int32_t difference = 0;
-    if constexpr (Coder::kEncodes) difference = actual(i) - base;
-    difference = model.code(coder, difference);
-    if (difference < -base || difference > kLargestError - base) return false;
-    last = errors[i] = base + difference;
-    size_before = difference == 0 ? 0 : difference >= -1 && difference <= 1 ? 1 : 2;
+  std::uint32_t neighborhood = 0;  // four times a running mean of the magnitudes of three
+  for (std::size_t begin = 0; begin < state.nodes.size(); begin += 3) {
+    const std::size_t count = std::min<std::size_t>(3, state.nodes.size() - begin);
+    const std::span nodes = std::span(state.nodes).subspan(begin, count);
+    Lattice differences{};
+    if constexpr (Coder::kEncodes) {
+      std::int32_t base = last;
+      for (std::size_t k = 0; k < count; ++k) {
+        const std::int32_t error = actual(begin + k);
+        differences[k] = error - (key ? base : nodes[k].error);
+        base = error;
+      }
+    }
+    if (key) {
+      const std::uint32_t expected = neighborhood / 3;
+      differences = coder.code({expected, expected, expected}, differences);
+    } else {
+      std::array<unsigned, 3> tables{};
+      for (std::size_t k = 0; k < count; ++k) tables[k] = error_table(nodes[k], changed[begin + k] != 0, neighborhood);
+      differences = coder.code_in(tables, differences);
+    }
+    neighborhood -= neighborhood / 4;
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::int64_t error = std::int64_t{differences[k]} + (key ? last : nodes[k].error);
+      if (error < 0 || error > kLargestError) return false;
+      const std::uint32_t magnitude = counted_magnitude(differences[k]);
+      nodes[k] = {static_cast<std::int32_t>(error), key ? 0 : magnitude};
+      neighborhood += magnitude;
+      last = nodes[k].error;
+    }
   }
   return true;
 }

@@ -46,6 +46,24 @@ struct LatticeModels {
   }
 };
 
+// Of all operations in another frame, by the difference to those of the frame it builds on, `errors`, which become
+// those of the frame. `actual(i)` gives the quantized error to write. False where the bytes are wrong.
+template <class Coder, class Actual>
+bool code_pose_errors(Coder& coder, std::span<std::int32_t> errors, Actual&& actual) {
+  std::array<std::array<DifferenceModel, 3>, 2> models;  // by whether there was an error; the difference before
+  std::size_t size_before = 0;
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const std::int32_t base = errors[i];
+    std::int32_t difference = 0;
+    if constexpr (Coder::kEncodes) difference = actual(i) - base;
+    difference = models[base != 0][size_before].code(coder, difference);
+    if (difference < -base || difference > kLargestError - base) return false;
+    errors[i] = base + difference;
+    size_before = difference == 0 ? 0 : difference >= -1 && difference <= 1 ? 1 : 2;
+  }
+  return true;
+}
+
 // A vertex that is put back, by a cluster: its removal reversed.
 struct FourKRemoval {
   Refinement kind = Refinement::kFour;

@@ -271,9 +271,7 @@ Result<void> FourKDecoder::read_pose(std::uint32_t frame, const FourKPoseBase& b
     return std::span(all.data(), static_cast<std::size_t>(std::find(all.begin(), all.end(), kNone) - all.begin()));
   };
   code_pose(coder, models, parents, from, now, [](Index) { return Lattice{}; });
-  ErrorModels error_models;
-  const std::vector<std::uint8_t> unchanged(errors.size(), 0);
-  if (!code_errors(coder, error_models, false, unchanged, errors, [](std::size_t) { return 0; }))
+  if (!code_pose_errors(coder, errors, [](std::size_t) { return 0; }))
     return bad(offset, "a frame has an error outside its range");
   return {};
 }

@@ -331,10 +331,7 @@ Result<void> FourKEncoder::add_frame(std::span<const Vec3f> positions, std::span
       coder, models, [&](Index v) { return f.growth.parents(v); }, from, now,
       [&](Index v) { return f.quantizer.lattice(positions[f.vertices[v]]); });
   std::vector<std::int32_t> errors_now = key ? f.first_errors : f.errors_before;
-  ErrorModels error_models;
-  const std::vector<std::uint8_t> unchanged(errors_now.size(), 0);
-  code_errors(coder, error_models, false, unchanged, errors_now,
-              [&](std::size_t i) { return quantized_error(errors[f.operations[i]]); });
+  code_pose_errors(coder, errors_now, [&](std::size_t i) { return quantized_error(errors[f.operations[i]]); });
   std::vector<std::byte> payload;
   append_little_endian(payload, key ? 0u : f.frames - 1);
   std::ranges::copy(coder.finish(), std::back_inserter(payload));

@@ -13,7 +13,7 @@
 
 namespace limber {
 
-inline constexpr std::uint32_t kStreamVersion = 1;
+inline constexpr std::uint32_t kStreamVersion = 2;
 
 struct StreamHeader {
   std::uint32_t version = kStreamVersion;

@@ -134,23 +134,29 @@ Lattice ResidualReader::read_one_by_one(const std::array<std::size_t, 3>& classe
 }
 
 Lattice ResidualWriter::code(const Activity& activity, const Lattice& residuals) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto [table, shift] = residual_context(activity[axis]);
-    const auto bits = static_cast<std::uint32_t>(residuals[axis]);
-    const std::uint32_t magnitude = residuals[axis] < 0 ? 0u - bits : bits;
-    const unsigned c = class_of(magnitude >> shift);
-    ++statistics_.share(table, c).count;
-    symbols_.push_back(
-        {static_cast<std::uint8_t>(axis), static_cast<std::uint8_t>(table), static_cast<std::uint8_t>(c)});
-    if (c == kEscapeClass) {
-      write_bits(magnitude, 32);
-    } else {
-      const MagnitudeClass& magnitude_class = kClasses[c];
-      write_bits(magnitude - (std::uint32_t{magnitude_class.first} << shift), magnitude_class.bits + shift);
-    }
-    if (magnitude != 0) write_bits(residuals[axis] < 0, 1);
-  }
+  for (std::size_t axis = 0; axis < 3; ++axis) write(axis, residual_context(activity[axis]), residuals[axis]);
   return residuals;
+}
+
+Lattice ResidualWriter::code_in(const std::array<unsigned, 3>& tables, const Lattice& residuals) {
+  for (std::size_t axis = 0; axis < 3; ++axis) write(axis, {tables[axis], 0}, residuals[axis]);
+  return residuals;
+}
+
+void ResidualWriter::write(std::size_t axis, const ResidualContext& context, std::int32_t residual) {
+  const auto [table, shift] = context;
+  const auto bits = static_cast<std::uint32_t>(residual);
+  const std::uint32_t magnitude = residual < 0 ? 0u - bits : bits;
+  const unsigned c = class_of(magnitude >> shift);
+  ++statistics_.share(table, c).count;
+  symbols_.push_back({static_cast<std::uint8_t>(axis), static_cast<std::uint8_t>(table), static_cast<std::uint8_t>(c)});
+  if (c == kEscapeClass) {
+    write_bits(magnitude, 32);
+  } else {
+    const MagnitudeClass& magnitude_class = kClasses[c];
+    write_bits(magnitude - (std::uint32_t{magnitude_class.first} << shift), magnitude_class.bits + shift);
+  }
+  if (magnitude != 0) write_bits(residual < 0, 1);
 }
 
 std::vector<std::byte> ResidualWriter::finish() const {

@@ -131,8 +131,11 @@ class ResidualReader {
   // side, so that a processor overlaps them. No branch but the rare one for an escape depends on what is read.
   [[gnu::always_inline]] Lattice code(const Activity& activity, const Lattice& = {}) {
     if ((activity[0] | activity[1] | activity[2]) >= kShiftedActivity) return code_shifted(activity);
-    std::array<unsigned, 3> tables;
-    for (std::size_t k = 0; k < 3; ++k) tables[k] = kSmallTables[activity[k]];
+    return code_in({kSmallTables[activity[0]], kSmallTables[activity[1]], kSmallTables[activity[2]]});
+  }
+
+  // The same by the tables, each < kContextCount, with nothing shifted.
+  [[gnu::always_inline]] Lattice code_in(const std::array<unsigned, 3>& tables, const Lattice& = {}) {
     const std::array<std::size_t, 3> classes = read_classes(tables);
     // Where a class ends among the bits follows from the classes alone.
     const PlainPart &x = kPlainParts[classes[0]], &y = kPlainParts[classes[1]], &z = kPlainParts[classes[2]];
@@ -230,11 +233,13 @@ class ResidualWriter {
   explicit ResidualWriter(ResidualStatistics& statistics) : statistics_(statistics) {}
 
   Lattice code(const Activity& activity, const Lattice& residuals);
+  Lattice code_in(const std::array<unsigned, 3>& tables, const Lattice& residuals);
 
   // The bytes written.
   std::vector<std::byte> finish() const;
 
  private:
+  void write(std::size_t axis, const ResidualContext& context, std::int32_t residual);
   void write_bits(std::uint32_t value, unsigned count);
 
   struct Symbol {

@@ -9,6 +9,16 @@ namespace {
 
 constexpr double kLeastCount = 3;
 
+// Vertices per node, in the mean, of the lowest level that is measured.
+constexpr Index kMeasuredSize = 6;
+
+Index lowest_measured(std::span<const Index> level_begin) {
+  const auto top = static_cast<Index>(level_begin.size()) - 2;
+  Index level = std::min<Index>(1, top);
+  while (level < top && level_begin[1] / kMeasuredSize < level_begin[level + 1] - level_begin[level]) ++level;
+  return level;
+}
+
 // Where in the moments.
 enum : std::size_t { kBefore = 0, kNow = 3, kTwist = 6, kSquares = 9, kCount = 15 };
 
@@ -27,7 +37,10 @@ void add(std::array<double, kSize>& to, const std::array<double, kSize>& more) {
 }  // namespace
 
 Turns::Turns(std::span<const Index> level_begin)
-    : level_begin_(level_begin), moments_(level_begin.back() - level_begin[1]), turns_(moments_.size()) {}
+    : level_(lowest_measured(level_begin)),
+      first_(level_begin[level_]),
+      moments_(level_begin.back() - first_),
+      turns_(moments_.size()) {}
 
 // A little of the trace is added to the diagonal, for clusters on a line, and a lattice step for every vertex: what is
 // smaller than the rounding of the positions says nothing.
@@ -56,23 +69,23 @@ Turns::Turn Turns::turn(const Moments& m) {
 
 void Turns::measure(std::span<const Index> parent, const Traversal& traversal, std::span<const Lattice> before,
                     std::span<const Lattice> now) {
-  const Index vertex_count = level_begin_[1];
   std::fill(moments_.begin(), moments_.end(), Moments{});
-  for (Index place = 0; place < vertex_count; ++place) {
+  for (Index place = 0; place < now.size(); ++place) {
+    Index node = traversal.order[place];
+    for (Index level = 0; level < level_; ++level) node = parent[node];
     const Vec3d a = coordinates(before[place]), b = coordinates(now[place]), c = cross(a, b);
-    add(moments_[parent[traversal.order[place]] - vertex_count],
-        {a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, a.x * a.x, a.x * a.y, a.x * a.z, a.y * a.y, a.y * a.z, a.z * a.z,
-         1.0});
+    add(moments_[node - first_], {a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, a.x * a.x, a.x * a.y, a.x * a.z,
+                                  a.y * a.y, a.y * a.z, a.z * a.z, 1.0});
   }
-  const auto parent_of = [&](Index i) { return parent[vertex_count + i]; };
+  const auto parent_of = [&](Index i) { return parent[first_ + i]; };
   const auto count = static_cast<Index>(moments_.size());
   for (Index i = 0; i < count; ++i)
-    if (parent_of(i) != kNone) add(moments_[parent_of(i) - vertex_count], moments_[i]);
+    if (parent_of(i) != kNone) add(moments_[parent_of(i) - first_], moments_[i]);
   for (Index i = count; i-- > 0;) {
     if (moments_[i][kCount] >= kLeastCount) {
       turns_[i] = turn(moments_[i]);
     } else {
-      turns_[i] = parent_of(i) == kNone ? Turn{} : turns_[parent_of(i) - vertex_count];
+      turns_[i] = parent_of(i) == kNone ? Turn{} : turns_[parent_of(i) - first_];
     }
   }
 }

@@ -6,9 +6,10 @@
 //
 //   (tr(C) I - C) w = sum a_j x b_j,   C = sum a_j a_j'
 //
-// so that |w| is the sine of the angle. All of this is sums over vertices, which add up the levels. A cluster of fewer
-// than three vertices says nothing about turning: it turns with its parent.
-// In doubles, with sums, products, quotients and square roots only, in the order of the nodes: the same everywhere.
+// so that |w| is the sine of the angle. All of this is sums over vertices, which add up the levels. A small cluster
+// says little about turning and costs as much as a large one: those of the finer levels turn with their ancestors, as
+// do those of fewer than three vertices. In doubles, with sums, products, quotients and square roots only, in the order
+// of the nodes: the same everywhere.
 #pragma once
 
 #include <array>
@@ -30,9 +31,10 @@ class Turns {
   void measure(std::span<const Index> parent, const Traversal& traversal, std::span<const Lattice> before,
                std::span<const Lattice> now);
 
-  // A vector that turns with coarse node i (its number less that of the finest vertices), after the turn.
-  Vec3d turned(Index i, const Vec3d& v) const {
-    const Turn& turn = turns_[i];
+  // A vector that turns with a node above the finest level, after the turn. `parent`: as it was measured.
+  Vec3d turned(std::span<const Index> parent, Index node, const Vec3d& v) const {
+    while (node < first_) node = parent[node];
+    const Turn& turn = turns_[node - first_];
     const Vec3d across = cross(turn.half, v);
     return v + (across + cross(turn.half, across)) * turn.factor;
   }
@@ -49,7 +51,8 @@ class Turns {
 
   static Turn turn(const Moments& moments);
 
-  std::span<const Index> level_begin_;
+  Index level_;  // the lowest that is measured
+  Index first_;  // its first node; moments and turns are by node less this
   std::vector<Moments> moments_;
   std::vector<Turn> turns_;
 };

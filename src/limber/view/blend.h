@@ -82,6 +82,9 @@ class Blend {
   // None where i is not in use. Precondition: i < path_count().
   Shares shares(Index i) const;
 
+  // The node that a moving vertex goes to. Precondition: i < path_count(), and in use.
+  Index target(Index i) const { return paths_[i].target; }
+
  private:
   // A moving vertex. It comes from the mean of `from` plus an offset.
   struct Path {

@@ -17,6 +17,7 @@
 #include "limber/player.h"
 #include "limber/stream/chunk.h"
 #include "limber/view/arriving_bytes.h"
+#include "limber/view/blend.h"
 #include "limber/view/cut.h"
 #include "limber/view/extract.h"
 #include "limber/view/moved_vertices.h"
@@ -72,9 +73,11 @@ struct limber_cut {
 
   limber_player& of;
   std::optional<Cut> cut;
+  std::optional<Blend> blend;  // where changes are blended
   ExtractScratch scratch;
   MeshBuffers buffers;
   VertexErrors errors;
+  std::vector<Index> nodes;                 // [buffers.vertex_count()]: where moving vertices go, else the vertex's own
   std::vector<std::uint8_t> levels, moved;  // [buffers.vertex_count()]
 };
 
@@ -169,11 +172,27 @@ bool is_same(const CutOptions& a, const CutOptions& b) {
 
 void list_levels(const Hierarchy& hierarchy, std::span<const Index> nodes, std::vector<std::uint8_t>& levels) {
   levels.resize(nodes.size());
-  std::uint8_t level = 0;
-  for (std::size_t v = 0; v < nodes.size(); ++v) {
-    while (nodes[v] >= hierarchy.level_begin[level + 1u]) ++level;
-    levels[v] = level;
+  for (std::size_t v = 0; v < nodes.size(); ++v) levels[v] = static_cast<std::uint8_t>(hierarchy.level_of(nodes[v]));
+}
+
+// The mesh of the cut, or of the blend that leads to it.
+void extract_shown(limber_cut& cut, Index blend_frames) {
+  const Mesh& finest = cut.of.player.mesh();
+  const FrameState& state = cut.of.player.state();
+  if (blend_frames <= 1) {
+    cut.blend.reset();
+    extract(finest, state, *cut.cut, cut.scratch, cut.buffers);
+    cut.nodes = cut.buffers.nodes;
+    return;
   }
+  if (!cut.blend || cut.blend->options().frames != blend_frames)
+    cut.blend.emplace(finest, state.hierarchy, BlendOptions{.frames = blend_frames});
+  cut.blend->update(state, *cut.cut);
+  extract(finest, *cut.blend, cut.scratch, cut.buffers);
+  const Index node_count = cut.blend->node_count();
+  cut.nodes = cut.buffers.nodes;
+  for (Index& node : cut.nodes)
+    if (node >= node_count) node = cut.blend->target(node - node_count);
 }
 
 }  // namespace
@@ -417,7 +436,7 @@ limber_status limber_cut_update(limber_cut* cut, const limber_cut_options* optio
     cut->cut->update(finest, state, *view);
   else
     cut->cut->update(finest, state);
-  extract(finest, state, *cut->cut, cut->scratch, cut->buffers);
+  extract_shown(*cut, chosen->blend);
 
   const MeshBuffers& buffers = cut->buffers;
   limber_mesh value = LIMBER_MESH_INIT;
@@ -429,14 +448,14 @@ limber_status limber_cut_update(limber_cut* cut, const limber_cut_options* optio
   value.normals = reinterpret_cast<const float*>(buffers.normals.data());
   value.indices = buffers.indices.data();
   value.nodes = buffers.nodes.data();
-  value.labels = cut->cut->labels().data();
+  value.labels = (cut->blend ? cut->blend->labels() : cut->cut->labels()).data();
   value.seen_error = view ? cut->cut->seen_error() : 0;
   if ((chosen->fetch & LIMBER_FETCH_LEVELS) != 0) {
-    list_levels(state.hierarchy, buffers.nodes, cut->levels);
+    list_levels(state.hierarchy, cut->nodes, cut->levels);
     value.levels = cut->levels.data();
   }
   if ((chosen->fetch & LIMBER_FETCH_ERRORS) != 0) {
-    measure_errors(finest, state, *cut->cut, buffers.nodes, cut->errors);
+    measure_errors(finest, state, *cut->cut, cut->nodes, cut->errors);
     value.errors = cut->errors.of_vertex.data();
     value.rms_error = cut->errors.all;
   }

@@ -15,11 +15,14 @@ void measure_errors(const Mesh& mesh, const FrameState& state, const Cut& cut, s
     for (const Index corner : t) errors.area[labels[corner]] += third;
   }
   errors.of_vertex.resize(nodes.size());
+  errors.is_counted.assign(labels.size(), 0);
   double squares = 0, area = 0;
   for (std::size_t v = 0; v < nodes.size(); ++v) {
     const double error = double{state.errors[nodes[v]]};
     const double own = errors.area[nodes[v]];
     errors.of_vertex[v] = own > 0 ? static_cast<float>(error / std::sqrt(own)) : 0.0f;
+    if (errors.is_counted[nodes[v]]) continue;
+    errors.is_counted[nodes[v]] = 1;
     squares += error * error;
     area += own;
   }
