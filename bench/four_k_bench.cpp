@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// limber_four_k_bench MESH [MESH ...]: times building a 4-K mesh down to 1 % of the triangles beside meshopt_simplify to
-// as many, in turn, and prints both medians and the median of the ratios of neighbouring runs, which a noisy machine
+// limber_four_k_bench MESH [MESH ...]: times building a 4-K mesh down to 1 % of the triangles beside meshopt_simplify
+// to as many, in turn, and prints both medians and the median of the ratios of neighbouring runs, which a noisy machine
 // disturbs least. Then times a front of about 20,000 triangles of the whole 4-K mesh (half the mesh where that is less)
 // that follows an eye on a circle around it, half a degree at a time: with a limit on the errors as they are seen, and
 // with a budget. All times are those of the processor, but for two threads beside one.
@@ -57,10 +57,10 @@ void time_building(const limber::MeshFile& file) {
   const auto meshopt = [&] {
     return time([&] {
       float error = 0;
-      theirs_left = meshopt_simplify(indices.data(), mesh.triangles[0].data(), 3 * mesh.triangles.size(),
-                                     &file.positions[0].x, file.positions.size(), sizeof(limber::Vec3f), 3 * ours_left,
-                                     1e9f, 0, &error) /
-                    3;
+      theirs_left =
+          meshopt_simplify(indices.data(), mesh.triangles[0].data(), 3 * mesh.triangles.size(), &file.positions[0].x,
+                           file.positions.size(), sizeof(limber::Vec3f), 3 * ours_left, 1e9f, 0, &error) /
+          3;
     });
   };
   for (int run = 0; run <= kRunCount; ++run) {
@@ -106,9 +106,10 @@ void time_fronts(const limber::MeshFile& file) {
       changes.push_back(front.changes());
       sizes.push_back(static_cast<double>(front.triangles().size()));
     }
-    std::printf("  front, %-6s %5.0f triangles, %3.0f operations a step: median %.3f ms, 95th percentile %.3f, most %.3f\n",
-                budget ? "budget" : "limit", quantile(sizes, .5), quantile(changes, .5), quantile(times, .5),
-                quantile(times, .95), quantile(times, 1));
+    std::printf(
+        "  front, %-6s %5.0f triangles, %3.0f operations a step: median %.3f ms, 95th percentile %.3f, most %.3f\n",
+        budget ? "budget" : "limit", quantile(sizes, .5), quantile(changes, .5), quantile(times, .5),
+        quantile(times, .95), quantile(times, 1));
   }
 }
 
