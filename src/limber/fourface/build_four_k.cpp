@@ -290,7 +290,8 @@ FourKMesh Builder::run(const GoOnFunction& go_on) {
   const Index levels = std::min(options_.levels, Index{250});
   while (record_.level_count() < levels && level_ < 250 && !is_small_enough() && !(go_on && !go_on())) {
     ++level_;
-    most_depth_ = static_cast<unsigned>(std::floor(std::max(options_.clusters_per_level, 1.0) * level_));
+    most_depth_ = static_cast<unsigned>(
+        std::clamp(options_.clusters_per_level * level_, static_cast<double>(level_), double{Face::kMostDepth}));
     limit_operations();
     price_all();
     run_level(go_on);

@@ -17,14 +17,14 @@ namespace limber {
 
 // Half a line of the cache.
 struct alignas(32) Face {
-  static constexpr unsigned kDepthBits = 13;
+  static constexpr unsigned kMostDepth = (1u << 13) - 1;
 
-  std::array<Index, 3> corners{};        // corners[0] is kNone in a dead one
-  std::array<Index, 3> twins{};          // the half-edge across edge i; kNone on a border
-  Index triangle = kNone;                // whatever the caller calls it
-  std::uint16_t operations = 0;          // for the caller, who counts those that have led to it in a row
-  std::uint16_t depth : kDepthBits = 0;  // for the caller
-  std::uint16_t lines : 3 = 0;           // bit i: edge i belongs to a line, a border or an edge that was tagged
+  std::array<Index, 3> corners{};  // corners[0] is kNone in a dead one
+  std::array<Index, 3> twins{};    // the half-edge across edge i; kNone on a border
+  Index triangle = kNone;          // whatever the caller calls it
+  std::uint16_t operations = 0;    // for the caller, who counts those that have led to it in a row
+  std::uint16_t depth : 13 = 0;    // for the caller
+  std::uint16_t lines : 3 = 0;     // bit i: edge i belongs to a line, a border or an edge that was tagged
 
   void add_line(unsigned edge) { lines = (lines | 1u << edge) & 7u; }
   void drop_line(unsigned edge) { lines = lines & ~(1u << edge) & 7u; }

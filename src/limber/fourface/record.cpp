@@ -36,7 +36,7 @@ void Record::add(FaceTable& faces, Index v, double error, std::span<const Index>
   for (const Index f : created_faces) {
     Face& face = faces.face(f);
     face.triangle = mesh_.triangle_count();
-    face.depth = depth & ((1u << Face::kDepthBits) - 1);
+    face.depth = depth & Face::kMostDepth;
     face.operations = static_cast<std::uint16_t>(operations);
     mesh_.triangles.push_back(face.corners);
     mesh_.creator.push_back(operation);
