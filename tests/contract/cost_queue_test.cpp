@@ -90,7 +90,7 @@ TEST(CostQueue, KeepsTheOrderOfAHeapUnderGrowingCostsAndNewItems) {
   };
   for (int round = 0; round < 50; ++round) {
     constexpr Index kItemCount = 300;
-    CostQueue queue(kItemCount);
+    CostQueue queue(kItemCount, round % 2 == 0 ? 32 : 1 << round % 6);
     std::priority_queue<std::pair<float, Index>, std::vector<std::pair<float, Index>>, std::greater<>> expected;
     std::vector<float> now(kItemCount);  // what the items cost; stale in `queue` until it asks
     std::vector<bool> inside(kItemCount, false);

@@ -17,7 +17,7 @@ struct Prepared {
   std::optional<ClusterPlan> plan(Index v, const ClusterOptions& options = {}) const {
     Star star;
     ClusterPlan made;
-    if (!faces.gather(v, star) || !plan_cluster({faces, errors}, star, options, true, made)) return std::nullopt;
+    if (!faces.gather(v, star) || !plan_cluster({faces, errors}, star, options, made)) return std::nullopt;
     return made;
   }
   Index neighbour(Index v, std::uint8_t place) const {

@@ -85,6 +85,12 @@ TEST(FaceTable, KnowsWhichVerticesAreJoined) {
     for (Index b = 0; b < a; ++b) ASSERT_EQ(faces.has_edge(a, b), edges.contains({b, a})) << a << " " << b;
 }
 
+TEST(FaceTable, IsClosedWhereEveryEdgeHasTwoTriangles) {
+  EXPECT_TRUE(FaceTable(test::torus(7, 9).mesh).is_closed());
+  EXPECT_FALSE(FaceTable(test::sheet(3, 3).mesh).is_closed());
+  EXPECT_FALSE(FaceTable({5, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}}).is_closed());
+}
+
 // The neighbours 2 and 6 of a hexagon's centre are swapped away; what is left of its star is the quad 1, 3, 4, 5, and
 // removing the centre with the edge (1, 4) leaves what contracting the edge (0, 1) does.
 TEST(FaceTable, MakesAnEdgeCollapseOfTwoSwapsAndTheRemovalOfAVertexOfFourFaces) {
@@ -150,6 +156,11 @@ TEST(FaceTable, StaysConsistentUnderRandomSwaps) {
     std::rotate(a.begin(), std::ranges::min_element(a), a.end());
     std::rotate(b.begin(), std::ranges::min_element(b), b.end());
     EXPECT_EQ(a, b) << v;
+  }
+  for (int round = 0; round < 2; ++round) {
+    for (Index a = 0; a < 72; ++a)
+      for (Index b = 0; b < a; ++b) EXPECT_EQ(faces.has_edge(a, b), fresh.has_edge(a, b)) << a << " " << b;
+    faces.forget_old_edges();
   }
 }
 

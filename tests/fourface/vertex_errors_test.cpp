@@ -23,6 +23,26 @@ TEST(VertexErrors, FindsTheNeighbourThatCostsLeast) {
   EXPECT_DOUBLE_EQ(roof.errors.least_removal(roof.faces, 0), least);
 }
 
+// Five: an odd number, as they are computed two at a time.
+TEST(VertexErrors, CostsForAllNeighboursAreThoseForEach) {
+  const Mesh mesh{6, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 1}}};
+  const FaceTable faces(mesh);
+  const VertexErrors errors(mesh, {{0, 0, 1}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {-1.5, 0, 0.2}, {-1, -1, 0}}, 1, {});
+  Star star;
+  ASSERT_TRUE(faces.gather(0, star));
+  std::vector<double> costs(star.count);
+  errors.removal_costs(star, costs);
+  for (std::uint32_t i = 0; i < 5; ++i) EXPECT_EQ(costs[i], errors.removal_cost(0, star.ring[i]));
+}
+
+TEST(VertexErrors, GrowWithTheSquareOfTheAreaThatAVertexStandsFor) {
+  Roof roof;
+  const double before = roof.errors.squared_weight(1);
+  EXPECT_DOUBLE_EQ(before, std::pow(roof.errors.quadrics()[1].trace(), 2));
+  roof.errors.share(0, 1, 3);
+  EXPECT_GT(roof.errors.squared_weight(1), before);
+}
+
 TEST(VertexErrors, OfASwapIsTheDistanceBetweenTheDiagonals) {
   const Roof roof;
   // From the top to 2 along (1, 1, -1), from 1 to 3 along (-2, 2, 0).
@@ -41,8 +61,10 @@ TEST(VertexErrors, SharesOutAllThatAVertexStoodFor) {
 
 TEST(VertexErrors, KnowsATriangleThatFacesAwayFromTheSurfaceAroundItsCorners) {
   const Roof roof;
-  EXPECT_TRUE(roof.errors.faces_outwards(1, 2, 3));
-  EXPECT_FALSE(roof.errors.faces_outwards(1, 3, 2));
+  const auto at = [&](Index v) { return roof.errors.positions()[v]; };
+  const Vec3d normal = cross(at(2) - at(1), at(3) - at(1));
+  EXPECT_FALSE(roof.errors.is_inverted({1, 2, 3}, 0, normal));
+  EXPECT_TRUE(roof.errors.is_inverted({1, 3, 2}, 0, -normal));
 }
 
 TEST(VertexErrors, HoldsALineBesideItsFacesToo) {

@@ -20,8 +20,11 @@ namespace limber {
 
 class CostQueue {
  public:
-  // item_count: about how many items will be in it at once.
-  explicit CostQueue(Index item_count) : buckets_(kBucketCount, kNone) {
+  // item_count: about how many items will be in it at once. buckets_per_double: a power of two, at most 32: for costs
+  // of which one is twice the other.
+  explicit CostQueue(Index item_count, unsigned buckets_per_double = 32)
+      : dropped_bits_(kMantissaBits - std::countr_zero(buckets_per_double)), buckets_(bucket_count(), kNone) {
+    assert(std::has_single_bit(buckets_per_double) && buckets_per_double <= 32);
     chunks_.reserve(item_count / kChunkSize + 64);
   }
 
@@ -46,8 +49,8 @@ class CostQueue {
   template <class Reprice, class FetchEarly, class FetchLate>
   bool advance(Reprice&& reprice, FetchEarly&& fetch_early, FetchLate&& fetch_late) {
     while (sorted_.empty() && late_.empty()) {
-      while (current_ < kBucketCount && buckets_[current_] == kNone) ++current_;
-      if (current_ == kBucketCount) {
+      while (current_ < bucket_count() && buckets_[current_] == kNone) ++current_;
+      if (current_ == bucket_count()) {
         current_ = 0;
         return false;
       }
@@ -94,8 +97,8 @@ class CostQueue {
   }
 
  private:
-  static constexpr int kDroppedBits = 18;  // of a float's 23 bits of mantissa: 32 buckets per power of two
-  static constexpr std::uint32_t kBucketCount = 0x7f800000u >> kDroppedBits;
+  static constexpr int kMantissaBits = 23;  // of a float
+  std::uint32_t bucket_count() const { return 0x7f800000u >> dropped_bits_; }
 
   static constexpr std::uint32_t kChunkSize = 15;
   struct Chunk {
@@ -104,8 +107,8 @@ class CostQueue {
   };
 
   // The bits of floats that are not negative are ordered as the floats are.
-  static std::uint32_t bucket_of(float cost) {
-    return std::min(std::bit_cast<std::uint32_t>(cost) >> kDroppedBits, kBucketCount - 1);
+  std::uint32_t bucket_of(float cost) const {
+    return std::min(std::bit_cast<std::uint32_t>(cost) >> dropped_bits_, bucket_count() - 1);
   }
   bool late_first() const { return !late_.empty() && (sorted_.empty() || late_.front() < sorted_.back()); }
   static std::uint64_t key(Index item, float cost) {
@@ -136,7 +139,8 @@ class CostQueue {
     }
   }
 
-  std::vector<Index> buckets_;         // [kBucketCount]: the first chunk of a list, the only one that is not full
+  int dropped_bits_;                   // of the mantissa
+  std::vector<Index> buckets_;         // [bucket_count()]: the first chunk of a list, the only one that is not full
   std::vector<Chunk> chunks_;          // those of all buckets, and free ones
   Index free_ = kNone;                 // the first chunk of the list of free ones
   std::vector<std::uint64_t> sorted_;  // the current bucket, cheapest last

@@ -4,7 +4,7 @@
 //   build_four_k(M):
 //     a quadric for each vertex: its faces, and the lines through it              (VertexErrors, tag_edge)
 //     for each level, until M is as small as asked for
-//       no face is marked; C(v), at most E(v), of all vertices; a queue           (price_all)
+//       no face is marked; what E(v) is likely to be, of all vertices; a queue    (price_all)
 //       take v, the cheapest, from the queue, until enough is done                (run_level)
 //         plan its cluster as things are now, dearer if the chain below is long   (plan)
 //         back into the queue if it has become dearer
@@ -48,17 +48,18 @@ class Builder {
   Builder(const Mesh& mesh, std::vector<Vec3d> positions, std::size_t frame_count, const FourKOptions& options)
       : options_(options),
         faces_(mesh),
-        errors_(mesh, std::move(positions), frame_count, options.quadrics),
+        errors_(mesh, std::move(positions), frame_count, options.quadrics, faces_.is_closed()),
         kept_(mesh.vertex_count, 0),
         marks_(mesh.vertex_count, 0),
         plans_(mesh.vertex_count),
         planned_(mesh.vertex_count, 0),
-        kept_error_(mesh.vertex_count),
+        shared_(mesh.vertex_count, 0),
         record_(mesh, faces_) {
     if (frame_count > 1)
       options_.cluster.fold_over_cosine = std::min(options_.cluster.fold_over_cosine, options_.many_fold_over_cosine);
     for (Index v = 0; v < mesh.vertex_count; ++v)
-      if (faces_.outgoing(v) != kNone) ++vertices_left_;
+      if (faces_.outgoing(v) != kNone) left_.push_back(v);
+    vertices_left_ = static_cast<Index>(left_.size());
   }
 
   bool has_turned_edges() const { return faces_.has_turned_edges(); }
@@ -79,10 +80,11 @@ class Builder {
   unsigned depth_of(const Star& star) const;
   unsigned operations_at(Index half_edge) const { return faces_.face(FaceTable::face_of(half_edge)).operations; }
   unsigned operations_below(const Star& star) const;
-  float least_cost(Index v) const;
-  bool is_current(Index v, const Star& star) const;
-  bool plan(Index v, const Star& star, bool check_edges);
+  bool is_current(Index v) const { return planned_[v] == level_ && shared_[plans_[v].kept_vertex] != level_; }
+  bool plan(Index v, const Star& star);
   void limit_operations();
+  double removal_cost(Index v) const;
+  double likely_share();
   void price_all();
   void fetch_ahead(const CostQueue& queue) const;
   void run_level(const GoOnFunction& go_on);
@@ -96,9 +98,10 @@ class Builder {
   VertexErrors errors_;
   std::vector<std::uint8_t> kept_;     // [vertex_count]: tagged
   std::vector<std::uint8_t> marks_;    // [vertex_count]: the last level in which it became a corner of a marked face
-  std::vector<ClusterPlan> plans_;     // [vertex_count]: until there is a plan its cost is at most that of one
+  std::vector<Index> left_;            // [vertices_left_ when the level began]: those that have faces
+  std::vector<ClusterPlan> plans_;     // [vertex_count]: until there is a plan its cost is what that is likely to be
   std::vector<std::uint8_t> planned_;  // [vertex_count]: the level of the plan; 0 where the star has changed since
-  std::vector<double> kept_error_;     // [vertex_count]: Q_u(u) as it was planned with
+  std::vector<std::uint8_t> shared_;   // [vertex_count]: the last level in which it was given a share of a quadric
   std::uint8_t level_ = 0;             // the mark of this level, from 1
   unsigned most_depth_ = 0;            // of clusters in this level
   unsigned most_operations_ = kAny;    // in a row, with those of the cluster itself
@@ -120,41 +123,84 @@ unsigned Builder::operations_below(const Star& star) const {
   return most;
 }
 
-// At most E(v): C(v) alone, which needs no plan; kNever where v stays.
-float Builder::least_cost(Index v) const {
-  if (kept_[v] || faces_.is_complex(v)) return kNever;
-  return static_cast<float>(options_.cluster.removal_weight * errors_.least_removal(faces_, v));
+// C(v), which needs no plan; kNever where v stays.
+double Builder::removal_cost(Index v) const {
+  if (kept_[v]) return kNever;
+  return options_.cluster.removal_weight * errors_.least_removal(faces_, v);
+}
+
+// What E(v) has beside C(v) is about a share of the square of the area that v stands for: less than what it is in the
+// middle of some plans, so that few cost less than they are taken for. Where few are left, all are planned in the order
+// of what they cost at least.
+double Builder::likely_share() {
+  constexpr std::size_t kSome = 256, kFew = 4096;
+  constexpr double kOfMiddle = .7;
+  if (left_.size() < kFew) return 0;
+  std::vector<double> shares;
+  Star star;
+  for (std::size_t i = 0; i < left_.size(); i += left_.size() / kSome) {
+    const Index v = left_[i];
+    const double removal = removal_cost(v), squares = errors_.squared_weight(v);
+    if (removal < kNever && squares > 0 && faces_.gather(v, star) && plan(v, star))
+      shares.push_back((static_cast<double>(plans_[v].cost) - removal) / squares);
+    planned_[v] = 0;
+  }
+  if (shares.empty()) return 0;
+  const auto middle = shares.begin() + static_cast<std::ptrdiff_t>(shares.size() / 2);
+  std::nth_element(shares.begin(), middle, shares.end());
+  return std::max(*middle, 0.0) * kOfMiddle;
 }
 
 void Builder::price_all() {
-  for_ranges(faces_.vertex_count(), options_.threads, [&](Index first, Index end) {
-    for (Index v = first; v < end; ++v) plans_[v].cost = least_cost(v);
+  constexpr unsigned kOld = 4;
+  if (level_ % kOld == 0) faces_.forget_old_edges();
+  std::erase_if(left_, [this](Index v) { return faces_.outgoing(v) == kNone; });
+  const double share = likely_share();
+  for_ranges(static_cast<Index>(left_.size()), options_.threads, [this, share](Index first, Index end) {
+    for (Index i = first; i < end; ++i) {
+      const Index v = left_[i];
+      if (i + 12 < end) faces_.fetch_vertex(left_[i + 12]);
+      if (i + 8 < end) faces_.fetch_face(left_[i + 8]), errors_.fetch_quadric(left_[i + 8]);
+      if (i + 4 < end) faces_.fetch_faces(left_[i + 4], 1, [](Index) {});
+      plans_[v].cost = static_cast<float>(removal_cost(v) + share * errors_.squared_weight(v));
+    }
   });
 }
 
 // Vertices come in an order that has nothing to do with where they lie.
 void Builder::fetch_ahead(const CostQueue& queue) const {
-  if (const Index v = queue.upcoming(12); v != kNone) {
+  if (const Index v = queue.upcoming(16); v != kNone) {
     faces_.fetch_vertex(v);
     fetch(&marks_[v]);
     fetch(&plans_[v]);
   }
-  if (const Index v = queue.upcoming(8); v != kNone && marks_[v] != level_) {
+  const auto next = [&](std::size_t ahead, const auto& ask_for) {
+    if (const Index v = queue.upcoming(ahead); v != kNone && marks_[v] != level_) ask_for(v);
+  };
+  next(13, [this](Index v) {
     faces_.fetch_face(v);
     errors_.fetch_quadric(v);
-  }
-  if (const Index v = queue.upcoming(4); v != kNone && marks_[v] != level_)
-    faces_.fetch_faces(v, [this](Index u) { errors_.fetch_position(u); });
+  });
+  const auto faces = [&](int steps) {
+    return [this, steps](Index v) {
+      faces_.fetch_faces(v, steps, [this](Index u) { faces_.fetch_vertex(u), errors_.fetch_position(u); });
+    };
+  };
+  next(10, faces(1));
+  next(7, faces(2));
+  next(4, faces(3));
 }
 
 void Builder::run_level(const GoOnFunction& go_on) {
   const auto enough = static_cast<Index>(options_.level_share * faces_.face_count());
   // What rounding leaves of an error of 0, for quadrics of unit size.
   constexpr float kNothing = 1e-18f;
-  CostQueue queue(vertices_left_);
-  for (Index v = 0; v < faces_.vertex_count(); ++v)
-    if (faces_.outgoing(v) != kNone && plans_[v].cost < kNever) queue.push(v, plans_[v].cost);
+  // Wide buckets, as what comes next is known within one alone.
+  CostQueue queue(vertices_left_, 8);
+  for (const Index v : left_)
+    if (plans_[v].cost < kNever) queue.push(v, plans_[v].cost);
   Index steps = 0;
+  Star star;
   while (!is_small_enough() && queue.advance([](Index, float cost) { return cost; })) {
     if (go_on && ++steps % 1024 == 0 && !go_on()) return;
     const Index v = queue.front();
@@ -162,39 +208,37 @@ void Builder::run_level(const GoOnFunction& go_on) {
     fetch_ahead(queue);
     const float was = plans_[v].cost;
     if (was > kNothing && faces_.face_count() <= enough) return;
-    if (marks_[v] == level_) continue;
-    Star star;
-    if (!faces_.gather(v, star) || depth_of(star) > most_depth_ || operations_below(star) >= most_operations_) continue;
-    bool found = is_current(v, star) || plan(v, star, false);
-    if (found && plans_[v].cost <= was && !creates_new_edges(faces_, star, plans_[v])) found = plan(v, star, true);
-    if (!found) continue;
-    if (plans_[v].cost > was)
-      queue.push(v, plans_[v].cost);
-    else
-      simplify_cluster(star, plans_[v]);
+    if (marks_[v] == level_ || !faces_.gather(v, star)) continue;
+    if (!is_current(v) || !creates_new_edges(faces_, star, plans_[v])) {
+      if (!plan(v, star)) continue;
+      if (plans_[v].cost > was) {
+        queue.push(v, plans_[v].cost);
+        continue;
+      }
+    }
+    simplify_cluster(star, plans_[v]);
   }
 }
 
-// The quadrics of the other neighbours only grow, which makes the one that is kept no worse beside them.
-bool Builder::is_current(Index v, const Star& star) const {
-  return planned_[v] == level_ && kept_error_[v] == errors_.own_errors()[star.ring[plans_[v].kept]];
-}
-
-bool Builder::plan(Index v, const Star& star, bool check_edges) {
+// The quadrics of the other neighbours only grow, which makes the one that is kept no worse beside them: a plan is good
+// as long as the star and what the kept neighbour stands for are what they were (is_current).
+bool Builder::plan(Index v, const Star& star) {
   ClusterPlan& made = plans_[v];
-  if (!plan_cluster({faces_, errors_}, star, options_.cluster, check_edges, made)) return false;
+  if (depth_of(star) > most_depth_ || operations_below(star) >= most_operations_) return false;
+  if (!plan_cluster({faces_, errors_}, star, options_.cluster, made)) return false;
   if (made.operations > most_operations_) return false;
   // Twice as much for each.
   if (made.operations > even_operations_)
     made.cost = std::ldexp(made.cost, static_cast<int>(made.operations - even_operations_));
   planned_[v] = level_;
-  kept_error_[v] = errors_.own_errors()[star.ring[made.kept]];
   return true;
 }
 
 void Builder::simplify_cluster(Star& star, const ClusterPlan& plan) {
   const unsigned depth = depth_of(star);
   const Index v = star.center, u = star.ring[plan.kept], w = star.ring[plan.opposite];
+  faces_.fetch_around(star);
+  errors_.fetch_quadric(u), errors_.fetch_quadric(w);
   std::array<Index, ClusterPlan::kMostSwaps> swapped;
   for (std::uint32_t i = 0; i < plan.swap_count; ++i) swapped[i] = star.ring[plan.swaps[i]];
   for (std::uint32_t i = 0; i < plan.swap_count; ++i) swap_edge(star, star.place_of(swapped[i]), depth);
@@ -203,6 +247,7 @@ void Builder::simplify_cluster(Star& star, const ClusterPlan& plan) {
   for (std::uint32_t i = 0; i < plan.swap_count; ++i) planned_[swapped[i]] = 0;
   --vertices_left_;
   errors_.share(v, u, w);
+  shared_[u] = shared_[w] = level_;
 }
 
 void Builder::swap_edge(Star& star, std::uint32_t place, unsigned depth) {
@@ -245,7 +290,8 @@ FourKMesh Builder::run(const GoOnFunction& go_on) {
   const Index levels = std::min(options_.levels, Index{250});
   while (record_.level_count() < levels && level_ < 250 && !is_small_enough() && !(go_on && !go_on())) {
     ++level_;
-    most_depth_ = static_cast<unsigned>(std::floor(std::max(options_.clusters_per_level, 1.0) * level_));
+    most_depth_ = static_cast<unsigned>(
+        std::clamp(options_.clusters_per_level * level_, static_cast<double>(level_), double{Face::kMostDepth}));
     limit_operations();
     price_all();
     run_level(go_on);

@@ -9,12 +9,17 @@
 //         swap the cheapest edge (v, r) that is legal, r != u, into (s, t); dearer on faces of many operations
 //       w = the neighbour across from u; (u, w) must be legal                     (finish)
 //       E = alpha C(u) + beta sum of the swaps; keep the least
+//
+// What is computed for several neighbours is computed for two at once (Pair), which the processor does in the time of
+// one.
 #include "limber/fourface/cluster.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
+
+#include "limber/fourface/pair.h"
 
 namespace limber {
 namespace {
@@ -28,25 +33,45 @@ using PerNeighbour = std::array<T, Star::kMostNeighbours>;
 constexpr Place kNoPlace = 0xff;
 constexpr std::uint8_t kOnLine = 2;  // for a side
 
-// The ring while its vertices are swapped away: a list of places, and what each swap would cost now, kNever where it
-// may not be.
+// Where the neighbours are, from v: of each frame Star::kMostNeighbours of each coordinate.
+struct Offsets {
+  static constexpr std::size_t kSize = 3 * Star::kMostNeighbours;
+
+  const double* values;
+
+  Vec3d at(Place i) const { return {x()[i], y()[i], z()[i]}; }
+  Vec3<Pair> at(Place i, Place j) const { return {Pair{x()[i], x()[j]}, Pair{y()[i], y()[j]}, Pair{z()[i], z()[j]}}; }
+  const double* x() const { return values; }
+  const double* y() const { return values + Star::kMostNeighbours; }
+  const double* z() const { return values + 2 * Star::kMostNeighbours; }
+};
+
+struct Neighbour {
+  double swap_cost;          // what swapping the edge to it would cost now, kNever where it may not be
+  std::uint16_t operations;  // of the face between it and the next: in a row, until it is there
+  Place previous, next;
+};
+
+// The ring while its vertices are swapped away.
 struct Ring {
-  PerNeighbour<Place> previous, next;
-  PerNeighbour<double> swap_cost;
-  PerNeighbour<std::uint16_t> operations;  // of the face between a neighbour and the next: in a row, until it is there
-  std::array<std::uint32_t, 2> left;       // neighbours on each side that have not been swapped away
+  PerNeighbour<Neighbour> at;
+  std::array<std::uint32_t, 2> left;  // neighbours on each side that have not been swapped away
+  std::uint64_t gone;                 // bit i: the one at place i has been
 };
 
-// A Vec3d that is not set to 0 when a plan begins, as most of an array for all possible neighbours is never used.
-struct Offset {
-  double x, y, z;
-  operator Vec3d() const { return {x, y, z}; }
+// Where reduce() has led to without a neighbour.
+struct Reduced {
+  Ring ring;
+  double cost;
+  std::uint8_t swap_count;
+  std::array<std::uint8_t, ClusterPlan::kMostSwaps> swaps;
+  bool whoever_is_kept;  // it would be the same for every neighbour that is left
 };
 
-// A triangle's area as a share of the largest that the sum of its squared edges allows.
-double shape(double doubled_area, double squares) {
+// 1 less a triangle's area as a share of the largest that the sum of its squared edges allows.
+inline Pair shapelessness(Pair doubled_area, Pair squares) {
   constexpr double kEquilateral = 3.4641016151377544;  // sqrt(12)
-  return squares > 0 ? kEquilateral * doubled_area / squares : 0;
+  return squares > Pair{} ? 1 - kEquilateral * doubled_area / squares : Pair{1, 1};
 }
 
 // A neighbour u that may be kept, and alpha C(u).
@@ -60,67 +85,55 @@ class Planner {
   Planner(const ClusterInput& input, const Star& star, const ClusterOptions& options)
       : input_(input), star_(star), options_(options) {}
 
-  bool run(bool check_edges, ClusterPlan& best) {
+  bool run(ClusterPlan& best) {
     if (!find_sides()) return false;
     start_ring();
     find_candidates();
-    return find_best(check_edges, best);
+    return find_best(best);
   }
 
  private:
   bool has_line() const { return line_[0] != kNoPlace; }
-  // The sum of cost(offsets of a frame's neighbours from v) over all frames; kNever where it is that in one.
-  template <class Cost>
-  double in_all_frames(const Cost& cost) const {
-    double sum = cost(offset_);
-    for (std::size_t f = 1; f < frame_count_ && sum < kNever; ++f) sum += cost(offset_ + f * Star::kMostNeighbours);
-    return sum;
-  }
   bool is_reduced(const Ring& ring) const { return ring.left[0] <= needed_[0] && ring.left[1] <= needed_[1]; }
   bool joined(Place a, Place b) const { return input_.faces.has_edge(star_.ring[a], star_.ring[b]); }
+  Offsets offsets(std::size_t frame) const { return {offsets_ + frame * Offsets::kSize}; }
 
   bool find_sides();
   void start_ring();
-  void price(Ring& ring, Place r) const {
-    ring.swap_cost[r] = side_[r] == kOnLine ? kNever : swap_cost(r, ring.previous[r], ring.next[r]);
-  }
-  double swap_cost(Place r, Place s, Place t) const {
-    return in_all_frames([&](const Offset* at) { return swap_cost(at[r], at[s], at[t]); });
-  }
-  double swap_cost(const Vec3d& pr, const Vec3d& ps, const Vec3d& pt) const;
+  void price(Ring& ring, Place a, Place b) const;
   void find_candidates();
-  bool find_best(bool check_edges, ClusterPlan& best);
-  void copy_ring(Ring& ring) const;
+  bool find_best(ClusterPlan& best);
   // Of the two faces that swapping the edge to the neighbour at r destroys, the most.
-  static std::uint16_t operations_below(const Ring& ring, std::uint32_t r) {
-    return std::max(ring.operations[ring.previous[r]], ring.operations[r]);
+  static std::uint16_t operations_below(const Ring& ring, Place r) {
+    return std::max(ring.at[ring.at[r].previous].operations, ring.at[r].operations);
   }
   std::uint16_t operations_of_removal(const Ring& ring, Place kept) const;
-  double reduce(Ring& ring, Place kept, bool check_edges, ClusterPlan& plan) const;
-  double finish(const Ring& ring, Place kept, bool check_edges, ClusterPlan& plan) const;
+  void reduce(Reduced& to, Place kept) const;
+  double finish(const Ring& ring, Place kept, Place& opposite) const;
   double finish_three(const Ring& ring, Place u) const;
-  bool faces_outwards(Index a, Index b, Index c) const {
-    return options_.fold_over_cosine <= -1 || input_.errors.faces_outwards(a, b, c);
+  bool is_inverted(const std::array<Index, 3>& corners, std::size_t frame, const Vec3d& normal) const {
+    return options_.fold_over_cosine > -1 && input_.errors.is_inverted(corners, frame, normal);
   }
-  double triangle_cost(Place u, Place s, Place w) const {
-    if (!faces_outwards(star_.ring[u], star_.ring[s], star_.ring[w])) return kNever;
-    return in_all_frames([&](const Offset* at) { return triangle_cost(at[u], at[s], at[w]); });
-  }
-  double triangle_cost(const Vec3d& pu, const Vec3d& ps, const Vec3d& pw) const;
+  // Whether a triangle of three neighbours faces outwards; one of v and two.
+  bool faces_outwards(Place a, Place b, Place c) const;
+  bool faces_outwards(Place a, Place b) const;
   double fold_over_of_three(const Vec3d& pu, const Vec3d& ps, const Vec3d& pt) const;
+  Pair triangle_costs(const Offsets& at, const std::array<Place, 2>& u, const std::array<Place, 2>& s,
+                      const std::array<Place, 2>& w, Vec3<Pair>& after) const;
 
   const ClusterInput& input_;
   const Star& star_;
   const ClusterOptions& options_;
 
   std::size_t frame_count_ = input_.errors.frame_count();
-  PerNeighbour<Offset> first_offsets_;  // where there is one frame
-  std::vector<Offset> offsets_;         // [kMostNeighbours x frame_count_] where there are more
-  const Offset* offset_ = nullptr;      // of the neighbours from v: those of the first frame, of the next ...
-  PerNeighbour<std::uint8_t> side_;     // 0, 1 or kOnLine: never swapped
-  std::array<Place, 2> line_{kNoPlace, kNoPlace};  // the neighbours on the line through v
-  std::array<std::uint32_t, 2> needed_{};          // neighbours of each side that stay
+  std::array<double, Offsets::kSize> first_offsets_;  // where there is one frame
+  std::vector<double> all_offsets_;                   // where there are more
+  const double* offsets_ = nullptr;                   // of all frames
+  PerNeighbour<std::uint8_t> side_;                   // 0, 1 or kOnLine: never swapped
+  std::array<Place, 2> line_{kNoPlace, kNoPlace};     // the neighbours on the line through v
+  std::array<std::uint32_t, 2> needed_{};             // neighbours of each side that stay
   Ring whole_;
+  Reduced reduced_[2];
   std::uint16_t least_operations_ = 0;
   std::array<Candidate, kMostKept> candidates_;  // [candidate_count_], cheapest first, then by place
   std::uint32_t candidate_count_ = 0;
@@ -159,50 +172,68 @@ bool Planner::find_sides() {
 
 void Planner::start_ring() {
   const std::span<const Vec3d> positions = input_.errors.positions();
-  if (frame_count_ > 1) offsets_.resize(Star::kMostNeighbours * frame_count_);
-  Offset* const offsets = frame_count_ > 1 ? offsets_.data() : first_offsets_.data();
-  offset_ = offsets;
+  if (frame_count_ > 1) all_offsets_.resize(Offsets::kSize * frame_count_);
+  double* const offsets = frame_count_ > 1 ? all_offsets_.data() : first_offsets_.data();
+  offsets_ = offsets;
   for (std::size_t f = 0; f < frame_count_; ++f) {
     const Vec3d center = positions[star_.center * frame_count_ + f];
+    double* const x = offsets + f * Offsets::kSize;
     for (std::uint32_t i = 0; i < star_.count; ++i) {
       const Vec3d offset = positions[star_.ring[i] * frame_count_ + f] - center;
-      offsets[f * Star::kMostNeighbours + i] = {offset.x, offset.y, offset.z};
+      x[i] = offset.x, x[i + Star::kMostNeighbours] = offset.y, x[i + 2 * Star::kMostNeighbours] = offset.z;
     }
   }
-  for (std::uint32_t i = 0; i < star_.count; ++i) {
-    whole_.previous[i] = static_cast<Place>(i == 0 ? star_.count - 1 : i - 1);
-    whole_.next[i] = static_cast<Place>(i + 1 == star_.count ? 0 : i + 1);
-    whole_.operations[i] = 0;
-  }
+  const std::uint32_t last = star_.count - 1;
   least_operations_ = 0xffff;
-  for (std::uint32_t i = 0; i < star_.face_count(); ++i) {
-    whole_.operations[i] = input_.faces.face(FaceTable::face_of(star_.spoke[i])).operations;
-    least_operations_ = std::min(least_operations_, whole_.operations[i]);
+  for (std::uint32_t i = 0; i <= last; ++i) {
+    std::uint16_t operations = 0;
+    if (i < star_.face_count()) {
+      operations = input_.faces.face(FaceTable::face_of(star_.spoke[i])).operations;
+      least_operations_ = std::min(least_operations_, operations);
+    }
+    whole_.at[i] = {kNever, operations, static_cast<Place>(i == 0 ? last : i - 1),
+                    static_cast<Place>(i == last ? 0 : i + 1)};
   }
+  whole_.gone = 0;
   if (is_reduced(whole_)) return;
-  for (std::uint32_t i = 0; i < star_.count; ++i) price(whole_, static_cast<Place>(i));
+  for (std::uint32_t i = 0; i <= last; i += 2)
+    price(whole_, static_cast<Place>(i), static_cast<Place>(std::min(i + 1, last)));
 }
 
-// What swapping the edge to the neighbour at r costs, between the neighbours at s and t.
-double Planner::swap_cost(const Vec3d& pr, const Vec3d& ps, const Vec3d& pt) const {
-  const Vec3d inner = cross(ps, pt);
-  const Vec3d both = cross(ps, pr) + cross(pr, pt);
-  const Vec3d released = both - inner;
-  const double squared = squared_length(both), size = std::sqrt(squared);
-  const double released_area = length(released);
-  const double least = options_.fold_over_cosine * size;
-  if (!(dot(inner, both) > least * length(inner)) || !(dot(released, both) > least * released_area)) return kNever;
-  // Six times the volume of (v, r, s, t): the distance between the diagonals times twice the area of the quad.
-  const double volume = dot(pr, inner);
-  const double squares = squared_length(pr - ps) + squared_length(pt - pr) + squared_length(pt - ps);
-  return options_.swap_weight * volume * volume / (18 * size) +
-         options_.shape_weight * squared * (1 - shape(released_area, squares));
+// What swapping the edges to two neighbours costs, between those that are beside them now.
+void Planner::price(Ring& ring, Place a, Place b) const {
+  Neighbour &first = ring.at[a], &second = ring.at[b];
+  Pair sum{};
+  for (std::size_t f = 0; f < frame_count_; ++f) {
+    const Offsets at = offsets(f);
+    const Vec3<Pair> r = at.at(a, b), s = at.at(first.previous, second.previous), t = at.at(first.next, second.next);
+    const Vec3<Pair> inner = cross(s, t);
+    const Vec3<Pair> both = cross(s, r) + cross(r, t);
+    const Vec3<Pair> released = both - inner;
+    const Pair squared = squared_length(both), size = root(squared);
+    const Pair inner_size = root(squared_length(inner)), released_size = root(squared_length(released));
+    const Pair least = options_.fold_over_cosine * size;
+    // Six times the volume of (v, r, s, t): the distance between the diagonals times twice the area of the quad.
+    const Pair volume = dot(r, inner);
+    const Pair squares = squared_length(r - s) + squared_length(t - r) + squared_length(t - s);
+    const Pair cost = options_.swap_weight * volume * volume / (18 * size) +
+                      options_.shape_weight * squared * shapelessness(released_size, squares);
+    const Pair never{kNever, kNever};
+    sum += dot(inner, both) > least * inner_size ? (dot(released, both) > least * released_size ? cost : never) : never;
+  }
+  const auto put = [&](Neighbour& to, Place r, double cost) {
+    const unsigned more = operations_below(ring, r) - least_operations_;
+    to.swap_cost = side_[r] == kOnLine ? kNever : cost * (1 + options_.chain_weight * more);
+  };
+  put(first, a, sum[0]);
+  put(second, b, sum[1]);
 }
 
 void Planner::find_candidates() {
+  PerNeighbour<double> removal;
+  input_.errors.removal_costs(star_, removal);
   const auto add = [&](Place place) {
-    const double removal = input_.errors.removal_cost(star_.center, star_.ring[place]);
-    const Candidate added{options_.removal_weight * removal, place};
+    const Candidate added{options_.removal_weight * removal[place], place};
     if (candidate_count_ < kMostKept)
       ++candidate_count_;
     else if (added.cost >= candidates_[kMostKept - 1].cost)
@@ -218,67 +249,82 @@ void Planner::find_candidates() {
   }
 }
 
-bool Planner::find_best(bool check_edges, ClusterPlan& best) {
+bool Planner::find_best(ClusterPlan& best) {
   double least = kNever;
-  ClusterPlan plan;
-  Ring ring;
+  reduced_[0].whoever_is_kept = false;
   for (std::uint32_t i = 0; i < candidate_count_; ++i) {
     const auto [removal, kept] = candidates_[i];
     if (removal >= least) break;
-    copy_ring(ring);
-    plan.swap_count = 0;
-    double cost = removal + reduce(ring, kept, check_edges, plan);
+    const bool again = reduced_[0].whoever_is_kept && !(reduced_[0].ring.gone >> kept & 1);
+    Reduced& reduced = reduced_[!again && reduced_[0].whoever_is_kept];
+    if (!again) reduce(reduced, kept);
+    double cost = removal + reduced.cost;
     if (cost >= least) continue;
-    cost += finish(ring, kept, check_edges, plan);
+    Place opposite = kept;
+    cost += finish(reduced.ring, kept, opposite);
     if (cost >= least) continue;
     least = cost;
-    plan.operations = operations_of_removal(ring, kept);
-    best = plan;
+    best.kept = kept, best.opposite = opposite;
+    best.kept_vertex = star_.ring[kept];
+    best.swap_count = reduced.swap_count;
+    best.swaps = reduced.swaps;
+    best.operations = operations_of_removal(reduced.ring, kept);
   }
   best.cost = static_cast<float>(least);
   return least < kNever;
 }
 
-void Planner::copy_ring(Ring& ring) const {
-  for (std::uint32_t i = 0; i < star_.count; ++i) {
-    ring.previous[i] = whole_.previous[i];
-    ring.next[i] = whole_.next[i];
-    ring.swap_cost[i] = whole_.swap_cost[i];
-    ring.operations[i] = whole_.operations[i];
-  }
+// Swaps neighbours away, never `kept`, until each side has as many as needed. The cost is kNever where it fails.
+void Planner::reduce(Reduced& to, Place kept) const {
+  Ring& ring = to.ring;
+  for (std::uint32_t i = 0; i < star_.count; ++i) ring.at[i] = whole_.at[i];
   ring.left = whole_.left;
+  ring.gone = 0;
+  to.cost = 0, to.swap_count = 0, to.whoever_is_kept = true;
+  while (!is_reduced(ring)) {
+    Place r = kNoPlace;
+    double least = kNever;
+    if (to.swap_count < ClusterPlan::kMostSwaps) {
+      for (std::uint32_t i = 0; i < star_.count; ++i) {
+        if (!(ring.at[i].swap_cost < least) || i == kept || ring.left[side_[i]] <= needed_[side_[i]]) continue;
+        least = ring.at[i].swap_cost, r = static_cast<Place>(i);
+      }
+    }
+    if (ring.at[kept].swap_cost <= least) to.whoever_is_kept = false;
+    if (r == kNoPlace) {
+      to.cost = kNever;
+      return;
+    }
+    const Place s = ring.at[r].previous, t = ring.at[r].next;
+    ring.at[r].swap_cost = kNever;
+    if (joined(s, t)) continue;
+    if (!faces_outwards(s, t) || !faces_outwards(s, r, t)) continue;
+    to.cost += least;
+    ring.at[s].operations = static_cast<std::uint16_t>(operations_below(ring, r) + 1);
+    to.swaps[to.swap_count++] = r;
+    ring.gone |= std::uint64_t{1} << r;
+    --ring.left[side_[r]];
+    ring.at[s].next = t, ring.at[t].previous = s;
+    if (!is_reduced(ring)) price(ring, s, t);
+  }
 }
 
-// Swaps neighbours away, never `kept`, until each side has as many as needed. Gives the costs; kNever where it fails.
-double Planner::reduce(Ring& ring, Place kept, bool check_edges, ClusterPlan& plan) const {
-  double sum = 0;
-  while (!is_reduced(ring)) {
-    if (plan.swap_count == ClusterPlan::kMostSwaps) return kNever;
-    ring.swap_cost[kept] = kNever;
-    std::uint32_t best = kNoPlace;
-    double least = kNever;
-    for (std::uint32_t i = 0; i < star_.count; ++i) {
-      if (!(ring.swap_cost[i] < least) || ring.left[side_[i]] <= needed_[side_[i]]) continue;
-      const double cost =
-          ring.swap_cost[i] * (1 + options_.chain_weight * (operations_below(ring, i) - least_operations_));
-      if (cost < least) least = cost, best = i;
-    }
-    if (best == kNoPlace) return kNever;
-    const auto r = static_cast<Place>(best);
-    const Place s = ring.previous[r], t = ring.next[r];
-    ring.swap_cost[r] = kNever;
-    if (check_edges && joined(s, t)) continue;
-    if (!faces_outwards(star_.center, star_.ring[s], star_.ring[t]) ||
-        !faces_outwards(star_.ring[s], star_.ring[r], star_.ring[t]))
-      continue;
-    sum += least;
-    ring.operations[s] = static_cast<std::uint16_t>(operations_below(ring, r) + 1);
-    plan.swaps[plan.swap_count++] = r;
-    --ring.left[side_[r]];
-    ring.next[s] = t, ring.previous[t] = s;
-    if (!is_reduced(ring)) price(ring, s), price(ring, t);
+bool Planner::faces_outwards(Place a, Place b) const {
+  const std::array<Index, 3> corners{star_.center, star_.ring[a], star_.ring[b]};
+  for (std::size_t f = 0; f < frame_count_; ++f) {
+    const Offsets at = offsets(f);
+    if (is_inverted(corners, f, cross(at.at(a), at.at(b)))) return false;
   }
-  return sum;
+  return true;
+}
+
+bool Planner::faces_outwards(Place a, Place b, Place c) const {
+  const std::array<Index, 3> corners{star_.ring[a], star_.ring[b], star_.ring[c]};
+  for (std::size_t f = 0; f < frame_count_; ++f) {
+    const Offsets at = offsets(f);
+    if (is_inverted(corners, f, cross(at.at(b) - at.at(a), at.at(c) - at.at(a)))) return false;
+  }
+  return true;
 }
 
 // In a row, with the removal itself.
@@ -286,25 +332,34 @@ std::uint16_t Planner::operations_of_removal(const Ring& ring, Place kept) const
   std::uint16_t most = 0;
   Place i = kept;
   do {
-    most = std::max(most, ring.operations[i]);
-    i = ring.next[i];
+    most = std::max(most, ring.at[i].operations);
+    i = ring.at[i].next;
   } while (i != kept);
   return static_cast<std::uint16_t>(most + 1);
 }
 
 // The removal itself, with `kept` for u.
-double Planner::finish(const Ring& ring, Place u, bool check_edges, ClusterPlan& plan) const {
-  plan.kept = plan.opposite = u;
+double Planner::finish(const Ring& ring, Place u, Place& opposite) const {
   if (star_.closed && star_.count == 3) return finish_three(ring, u);
-  if (!star_.closed) {
-    plan.opposite = u == line_[0] ? line_[1] : line_[0];
-    if (check_edges && joined(line_[0], line_[1])) return kNever;
-    return triangle_cost(line_[0], ring.next[line_[0]], line_[1]);
+  if (!star_.closed) u = line_[0];
+  const Place s = ring.at[u].next, w = ring.at[s].next, t = star_.closed ? ring.at[w].next : s;
+  opposite = opposite == w ? u : w;
+  if (joined(u, w)) return kNever;
+  // At a border there is but one triangle, which counts once.
+  const bool two = star_.closed;
+  const std::array<Place, 2> us{u, two ? w : u}, ss{s, t}, ws{w, two ? u : w};
+  double sum = 0;
+  for (std::size_t f = 0; f < frame_count_; ++f) {
+    Vec3<Pair> after;
+    const Pair costs = triangle_costs(offsets(f), us, ss, ws, after);
+    sum += two ? costs[0] + costs[1] : costs[0];
+    if (!(sum < kNever)) return kNever;
+    for (std::size_t i = 0; i < 1u + two; ++i) {
+      const std::array<Index, 3> corners{star_.ring[us[i]], star_.ring[ss[i]], star_.ring[ws[i]]};
+      if (is_inverted(corners, f, {after.x[i], after.y[i], after.z[i]})) return kNever;
+    }
   }
-  const Place s = ring.next[u], w = ring.next[s], t = ring.next[w];
-  plan.opposite = w;
-  if (check_edges && joined(u, w)) return kNever;
-  return triangle_cost(u, s, w) + triangle_cost(w, t, u);
+  return sum;
 }
 
 double Planner::finish_three(const Ring& ring, Place u) const {
@@ -314,9 +369,14 @@ double Planner::finish_three(const Ring& ring, Place u) const {
     const Index across = input_.faces.twin(FaceTable::next(star_.spoke[i]));
     if (across != kNone && input_.faces.origin(FaceTable::previous(across)) == star_.ring[(i + 2) % 3]) return kNever;
   }
-  const Place s = ring.next[u], t = ring.next[s];
-  if (!faces_outwards(star_.ring[u], star_.ring[s], star_.ring[t])) return kNever;
-  return in_all_frames([&](const Offset* at) { return fold_over_of_three(at[u], at[s], at[t]); });
+  const Place s = ring.at[u].next, t = ring.at[s].next;
+  if (!faces_outwards(u, s, t)) return kNever;
+  double sum = 0;
+  for (std::size_t f = 0; f < frame_count_; ++f) {
+    const Offsets at = offsets(f);
+    sum += fold_over_of_three(at.at(u), at.at(s), at.at(t));
+  }
+  return sum;
 }
 
 // 0, or kNever where one of the three triangles around v turns too far.
@@ -328,29 +388,33 @@ double Planner::fold_over_of_three(const Vec3d& pu, const Vec3d& ps, const Vec3d
   return 0;
 }
 
-// Of the triangle (u, s, w) in the place of (v, u, s) and (v, s, w); kNever where it folds over.
-double Planner::triangle_cost(const Vec3d& pu, const Vec3d& ps, const Vec3d& pw) const {
-  const Vec3d before = cross(pu, ps) + cross(ps, pw);
-  const Vec3d after = before + cross(pw, pu);
-  const double squared = squared_length(before), area = length(after);
-  if (!(dot(before, after) > options_.fold_over_cosine * std::sqrt(squared) * area)) return kNever;
-  const double squares = squared_length(ps - pu) + squared_length(pw - ps) + squared_length(pu - pw);
-  return options_.shape_weight * squared * (1 - shape(area, squares));
+// Of the triangles (u, s, w) in the place of (v, u, s) and (v, s, w), whose normals are `after`; kNever where one folds
+// over.
+Pair Planner::triangle_costs(const Offsets& at, const std::array<Place, 2>& u, const std::array<Place, 2>& s,
+                             const std::array<Place, 2>& w, Vec3<Pair>& after) const {
+  const Vec3<Pair> pu = at.at(u[0], u[1]), ps = at.at(s[0], s[1]), pw = at.at(w[0], w[1]);
+  const Vec3<Pair> before = cross(pu, ps) + cross(ps, pw);
+  after = before + cross(pw, pu);
+  const Pair squared = squared_length(before), area = root(squared_length(after));
+  const Pair squares = squared_length(ps - pu) + squared_length(pw - ps) + squared_length(pu - pw);
+  const Pair cost = options_.shape_weight * squared * shapelessness(area, squares);
+  return dot(before, after) > options_.fold_over_cosine * root(squared) * area ? cost : Pair{kNever, kNever};
 }
 
 }  // namespace
 
-bool plan_cluster(const ClusterInput& input, const Star& star, const ClusterOptions& options, bool check_edges,
-                  ClusterPlan& plan) {
-  return Planner(input, star, options).run(check_edges, plan);
+bool plan_cluster(const ClusterInput& input, const Star& star, const ClusterOptions& options, ClusterPlan& plan) {
+  return Planner(input, star, options).run(plan);
 }
 
 bool creates_new_edges(const FaceTable& faces, const Star& star, const ClusterPlan& plan) {
   const auto joined = [&](std::uint32_t a, std::uint32_t b) { return faces.has_edge(star.ring[a], star.ring[b]); };
   std::uint64_t gone = 0;
   const auto step = [&](std::uint32_t i, std::uint32_t by) {
-    do i = (i + by) % star.count;
-    while (gone >> i & 1);
+    do {
+      i += by;
+      if (i >= star.count) i -= star.count;
+    } while (gone >> i & 1);
     return i;
   };
   for (std::uint32_t i = 0; i < plan.swap_count; ++i) {

@@ -34,20 +34,19 @@ struct ClusterPlan {
 
   // E(v) = alpha C(v) + beta S(v), and the term of the shape; >= 0.
   float cost;
+  Index kept_vertex;         // u, the neighbour that is kept
   std::uint16_t operations;  // that depend on each other in a row, with the removal itself, the last
-  // Places in the star's ring: of the neighbour u that is kept; of the other end w of the new edge, or u's own where
+  // Places in the star's ring: of u; of the other end w of the new edge, or u's own where
   // there is none, as v has three faces; of the far ends of the edges that are swapped, in order.
   std::uint8_t kept, opposite, swap_count;
   std::array<std::uint8_t, kMostSwaps> swaps;
 };
 
-// The cheapest way of removing star.center that folds nothing over and keeps lines: a vertex on a line is removed along
-// it, and one where lines end or meet is not. False: there is none. With check_edges none of the edges that the plan
-// creates is there already; without, that is left to creates_new_edges(), which few plans fail.
-bool plan_cluster(const ClusterInput& input, const Star& star, const ClusterOptions& options, bool check_edges,
-                  ClusterPlan& plan);
+// The cheapest way of removing star.center that folds nothing over, creates no edge that is there already, and keeps
+// lines: a vertex on a line is removed along it, and one where lines end or meet is not. False: there is none.
+bool plan_cluster(const ClusterInput& input, const Star& star, const ClusterOptions& options, ClusterPlan& plan);
 
-// Whether none of the edges that the plan for the star creates is there already.
+// Whether none of the edges that the plan for the star creates is there already, as none was when it was made.
 bool creates_new_edges(const FaceTable& faces, const Star& star, const ClusterPlan& plan);
 
 }  // namespace limber

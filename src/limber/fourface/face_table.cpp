@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "limber/fourface/face_table.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace limber {
 
-FaceTable::FaceTable(const Mesh& mesh) : outgoing_(mesh.vertex_count, kNone), complex_(mesh.vertex_count, 0) {
+FaceTable::FaceTable(const Mesh& mesh) : vertices_(mesh.vertex_count) {
   faces_.reserve(mesh.triangles.size());
   for (const Triangle& t : mesh.triangles) {
     if (is_degenerate(t)) continue;
     const auto f = static_cast<Index>(faces_.size());
-    faces_.push_back({t, {kNone, kNone, kNone}, f});
-    for (Index i = 0; i < 3; ++i) outgoing_[t[i]] = 4 * f + i;
+    faces_.push_back({.corners = t, .twins = {kNone, kNone, kNone}, .triangle = f});
+    add_neighbours(faces_.back());
+    for (Index i = 0; i < 3; ++i) vertices_[t[i]].outgoing = 4 * f + i;
   }
   face_count_ = static_cast<Index>(faces_.size());
   pair_half_edges(mesh);
@@ -53,8 +55,9 @@ void FaceTable::pair_half_edges(const Mesh& mesh) {
       if (count == 2 && !is_alike(h, other)) {
         join(h, other, false);
       } else {
-        faces_[face_of(h)].lines |= static_cast<std::uint8_t>(1u << (h & 3));
-        if (count > 1) complex_[v] = complex_[items[i].larger] = 1;
+        faces_[face_of(h)].add_line(h & 3);
+        is_closed_ = false;
+        if (count > 1) vertices_[v].complex = vertices_[items[i].larger].complex = true;
         if (count == 2) has_turned_edges_ = true;
       }
     }
@@ -62,19 +65,19 @@ void FaceTable::pair_half_edges(const Mesh& mesh) {
 }
 
 void FaceTable::find_complex_vertices() {
-  std::vector<Index> faces_at(outgoing_.size(), 0);
+  std::vector<Index> faces_at(vertices_.size(), 0);
   for (const Face& face : faces_)
     for (const Index corner : face.corners) ++faces_at[corner];
-  for (Index v = 0; v < outgoing_.size(); ++v) {
-    if (outgoing_[v] == kNone || complex_[v]) continue;
-    const Index first = first_of_fan(outgoing_[v]);
+  for (Index v = 0; v < vertices_.size(); ++v) {
+    if (vertices_[v].outgoing == kNone || vertices_[v].complex) continue;
+    const Index first = first_of_fan(vertices_[v].outgoing);
     Index in_fan = 0;
     for (Index h = first;;) {
       ++in_fan;
       h = twin(previous(h));
       if (h == kNone || h == first) break;
     }
-    complex_[v] = in_fan != faces_at[v];
+    vertices_[v].complex = in_fan != faces_at[v];
   }
 }
 
@@ -89,24 +92,25 @@ Index FaceTable::first_of_fan(Index half_edge) const {
 }
 
 bool FaceTable::gather(Index v, Star& star) const {
-  const Index start = outgoing_[v];
-  if (start == kNone || complex_[v]) return false;
+  const Index start = vertices_[v].outgoing;
+  if (start == kNone || vertices_[v].complex) return false;
   star.center = v;
   star.closed = true;
   std::uint32_t count = 0;
   Index first = start;
   for (Index h = start;;) {
     if (count + 2 > Star::kMostNeighbours) return false;
+    const Face& f = faces_[face_of(h)];
+    const Index corner = h & 3, before = corner == 0 ? 2 : corner - 1, after = corner == 2 ? 0 : corner + 1;
     star.spoke[count] = h;
-    star.ring[count++] = target(h);
-    const Index back = previous(h);
-    h = twin(back);
+    star.ring[count++] = f.corners[after];
+    h = f.twins[before];
     if (h == first) break;
     if (h != kNone) continue;
     star.closed = false;
     const Index border = first_of_fan(start);
     if (border == first) {
-      star.ring[count++] = origin(back);
+      star.ring[count++] = f.corners[before];
       break;
     }
     // It began in the middle of the fan: once more, from the border on.
@@ -117,13 +121,19 @@ bool FaceTable::gather(Index v, Star& star) const {
   return true;
 }
 
-bool FaceTable::has_edge(Index a, Index b) const {
-  if (complex_[a]) {
-    if (complex_[b]) return true;
+void FaceTable::forget_old_edges() {
+  for (Vertex& vertex : vertices_) vertex.neighbours = 0;
+  for (const Face& face : faces_)
+    if (face.corners[0] != kNone) add_neighbours(face);
+}
+
+bool FaceTable::find_edge(Index a, Index b) const {
+  if (vertices_[a].complex) {
+    if (vertices_[b].complex) return true;
     const Index c = a;
     a = b, b = c;
   }
-  const Index start = outgoing_[a];
+  const Index start = vertices_[a].outgoing;
   Index h = start;
   do {
     const Face& f = faces_[face_of(h)];
@@ -140,7 +150,7 @@ bool FaceTable::has_edge(Index a, Index b) const {
 }
 
 Index FaceTable::tag_edge(Index a, Index b) {
-  if (complex_[a]) {
+  if (vertices_[a].complex) {
     const Index c = a;
     a = b, b = c;
   }
@@ -158,22 +168,21 @@ Index FaceTable::tag_edge(Index a, Index b) {
 void FaceTable::set(Index face, const std::array<Index, 3>& corners) {
   faces_[face].corners = corners;
   faces_[face].lines = 0;
-  for (Index i = 0; i < 3; ++i) outgoing_[corners[i]] = 4 * face + i;
+  for (Index i = 0; i < 3; ++i) vertices_[corners[i]].outgoing = 4 * face + i;
+  add_neighbours(faces_[face]);
 }
 
-void FaceTable::attach(Index face, int side, const Outer& across) {
-  const Index h = 4 * face + static_cast<Index>(side);
-  if (across.twin != kNone) return join(h, across.twin, across.line);
-  faces_[face].twins[static_cast<std::size_t>(side)] = kNone;
-  faces_[face].lines |= static_cast<std::uint8_t>(1u << side);
+void FaceTable::attach(Index face, unsigned side, const Outer& across) {
+  faces_[face].twins[side] = across.twin;
+  if (across.line) faces_[face].add_line(side);
+  if (across.twin != kNone) faces_[face_of(across.twin)].twins[across.twin & 3] = 4 * face + side;
 }
 
 void FaceTable::join(Index half_edge, Index other, bool line) {
   const auto tie = [&](Index from, Index to) {
     Face& face = faces_[face_of(from)];
-    const auto bit = static_cast<std::uint8_t>(1u << (from & 3));
     face.twins[from & 3] = to;
-    face.lines = static_cast<std::uint8_t>(line ? face.lines | bit : face.lines & ~bit);
+    line ? face.add_line(from & 3) : face.drop_line(from & 3);
   };
   tie(half_edge, other);
   tie(other, half_edge);
@@ -228,7 +237,7 @@ std::array<Index, 2> FaceTable::remove_between_four(const Star& star, std::uint3
   join(4 * faces[0] + 2, 4 * faces[2], line);
   kill(faces[1]);
   kill(faces[3]);
-  outgoing_[star.center] = kNone;
+  vertices_[star.center].outgoing = kNone;
   return {faces[0], faces[2]};
 }
 
@@ -240,8 +249,8 @@ Index FaceTable::remove_between_three(const Star& star) {
   for (std::size_t i = 0; i < faces; ++i) outers[i] = outer(next(star.spoke[i]));
   for (std::size_t i = 1; i < faces; ++i) kill(face_of(star.spoke[i]));
   set(kept, {star.ring[0], star.ring[1], star.ring[2]});
-  for (int i = 0; i < 3; ++i) attach(kept, i, outers[static_cast<std::size_t>(i)]);
-  outgoing_[star.center] = kNone;
+  for (unsigned i = 0; i < 3; ++i) attach(kept, i, outers[i]);
+  vertices_[star.center].outgoing = kNone;
   return kept;
 }
 

@@ -15,14 +15,21 @@
 
 namespace limber {
 
-struct Face {
+// Half a line of the cache.
+struct alignas(32) Face {
+  static constexpr unsigned kMostDepth = (1u << 13) - 1;
+
   std::array<Index, 3> corners{};  // corners[0] is kNone in a dead one
   std::array<Index, 3> twins{};    // the half-edge across edge i; kNone on a border
   Index triangle = kNone;          // whatever the caller calls it
-  std::uint16_t depth = 0;         // for the caller
   std::uint16_t operations = 0;    // for the caller, who counts those that have led to it in a row
-  std::uint8_t lines = 0;          // bit i: edge i belongs to a line, a border or an edge that was tagged
+  std::uint16_t depth : 13 = 0;    // for the caller
+  std::uint16_t lines : 3 = 0;     // bit i: edge i belongs to a line, a border or an edge that was tagged
+
+  void add_line(unsigned edge) { lines = (lines | 1u << edge) & 7u; }
+  void drop_line(unsigned edge) { lines = lines & ~(1u << edge) & 7u; }
 };
+static_assert(sizeof(Face) == 32);
 
 // The faces around a vertex, counter-clockwise.
 struct Star {
@@ -49,6 +56,8 @@ class FaceTable {
   // Degenerate triangles are left out. triangle of face f: f's place among those that are left.
   explicit FaceTable(const Mesh& mesh);
 
+  // Whether every edge has two triangles, which pass it in different directions.
+  bool is_closed() const { return is_closed_; }
   // Whether two triangles pass an edge of theirs alone in the same direction.
   bool has_turned_edges() const { return has_turned_edges_; }
 
@@ -56,7 +65,7 @@ class FaceTable {
   const Face& face(Index f) const { return faces_[f]; }
   Index face_slots() const { return static_cast<Index>(faces_.size()); }  // dead ones among them
   Index face_count() const { return face_count_; }
-  Index vertex_count() const { return static_cast<Index>(outgoing_.size()); }
+  Index vertex_count() const { return static_cast<Index>(vertices_.size()); }
 
   static Index face_of(Index half_edge) { return half_edge >> 2; }
   static Index next(Index half_edge) { return (half_edge & 3) == 2 ? half_edge - 2 : half_edge + 1; }
@@ -71,30 +80,48 @@ class FaceTable {
   Index tag_edge(Index a, Index b);
 
   // Half-edges that start at the vertex; kNone where it has none (any more).
-  Index outgoing(Index v) const { return outgoing_[v]; }
-  bool is_complex(Index v) const { return complex_[v]; }
+  Index outgoing(Index v) const { return vertices_[v].outgoing; }
+  bool is_complex(Index v) const { return vertices_[v].complex; }
 
-  // Ask for the memory that gather() will need, in three steps, each some time before the next.
-  void fetch_vertex(Index v) const { fetch(&outgoing_[v]); }
+  // Ask for the memory that gather() will need, in steps, each some time before the next: that of the vertex; a face
+  // of it, and once more for the faces that are `steps` = 1, 2, ... away from that on both sides, visit(corner) for
+  // those of the ones before.
+  void fetch_vertex(Index v) const { fetch(&vertices_[v]); }
   void fetch_face(Index v) const {
-    if (outgoing_[v] != kNone) fetch(&faces_[face_of(outgoing_[v])]);
+    if (vertices_[v].outgoing != kNone) fetch(&faces_[face_of(vertices_[v].outgoing)]);
   }
-  // visit(corner) for those of the face.
   template <class Visit>
-  void fetch_faces(Index v, const Visit& visit) const {
-    if (outgoing_[v] == kNone) return;
-    const Face& f = faces_[face_of(outgoing_[v])];
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (f.twins[i] != kNone) fetch(&faces_[face_of(f.twins[i])]);
-      visit(f.corners[i]);
+  void fetch_faces(Index v, int steps, const Visit& visit) const {
+    Index left = vertices_[v].outgoing, right = left;
+    if (left == kNone) return;
+    for (int i = 1; i < steps; ++i) {
+      if (left != kNone) left = twin(previous(left));
+      if (right != kNone && twin(right) != kNone) right = next(twin(right));
     }
+    if (left != kNone) {
+      visit(target(left));
+      if (const Index across = twin(previous(left)); across != kNone) fetch(&faces_[face_of(across)]);
+    }
+    visit(origin(previous(right)));
+    if (const Index across = twin(right); across != kNone) fetch(&faces_[face_of(across)]);
+  }
+  // That of the faces around the star, which removing its center will change.
+  void fetch_around(const Star& star) const {
+    for (std::uint32_t i = 0; i < star.face_count(); ++i)
+      if (const Index across = twin(next(star.spoke[i])); across != kNone) fetch(&faces_[face_of(across)]);
   }
 
   // False where v has no faces, is complex, or has too many neighbours.
   bool gather(Index v, Star& star) const;
 
   // Whether two vertices are joined by an edge; true if both are complex. Precondition: neither is isolated.
-  bool has_edge(Index a, Index b) const;
+  bool has_edge(Index a, Index b) const {
+    if (!(vertices_[a].neighbours & bit_of(b)) || !(vertices_[b].neighbours & bit_of(a)))
+      return vertices_[a].complex && vertices_[b].complex;
+    return find_edge(a, b);
+  }
+  // has_edge() is fastest when this has been called since many edges have gone.
+  void forget_old_edges();
 
   // Turns the edge from v to its neighbour r at `place` of its star, between the neighbours s and t, into s t: the
   // faces (v, s, r) and (v, r, t) become (v, s, t) and (s, r, t), which are given. The star is kept up to date.
@@ -117,15 +144,29 @@ class FaceTable {
     bool line;
   };
   Outer outer(Index half_edge) const { return {twin(half_edge), is_line(half_edge)}; }
-  void attach(Index face, int side, const Outer& across);
+  void attach(Index face, unsigned side, const Outer& across);
   void join(Index half_edge, Index other, bool line);
   void kill(Index face);
   Index first_of_fan(Index half_edge) const;
+  bool find_edge(Index a, Index b) const;
+  static std::uint64_t bit_of(Index v) { return std::uint64_t{1} << (v * 0x9e3779b1u >> 26); }
+  void add_neighbours(const Face& face) {
+    for (std::size_t i = 0; i < 3; ++i)
+      vertices_[face.corners[i]].neighbours |= bit_of(face.corners[(i + 1) % 3]) | bit_of(face.corners[(i + 2) % 3]);
+  }
 
   std::vector<Face> faces_;
-  std::vector<Index> outgoing_;        // [vertex_count]
-  std::vector<std::uint8_t> complex_;  // [vertex_count]
+  struct Vertex {
+    // The bits of all neighbours, and of some that are none any more. What is not there is no neighbour, which is how
+    // nearly every question for an edge is answered without going around a vertex.
+    std::uint64_t neighbours = 0;
+    Index outgoing = kNone;
+    bool complex = false;
+  };
+
+  std::vector<Vertex> vertices_;  // [vertex_count]
   Index face_count_ = 0;
+  bool is_closed_ = true;
   bool has_turned_edges_ = false;
 };
 

@@ -2,8 +2,8 @@
 // Selective refinement: a mesh of a 4-K mesh that is finer in some places than in others, and moves.
 //
 // A front is a set of operations that holds all those that its members depend on, by the triangles that it leaves.
-// Every front is a conforming mesh. Moving it costs time in proportion to its size and to what changes, not to the size
-// of the 4-K mesh.
+// Every front is a conforming mesh. It knows which operations can be applied to it or reversed next, so that moving it
+// costs time in proportion to their number and to what changes, not to the size of the 4-K mesh.
 #pragma once
 
 #include <algorithm>
@@ -15,6 +15,7 @@
 
 #include "limber/base/mesh.h"
 #include "limber/base/vec.h"
+#include "limber/contract/fetch.h"
 #include "limber/fourface/four_k_mesh.h"
 
 namespace limber {
@@ -71,9 +72,12 @@ class Front {
       if (!is_alive(t)) return false;
     return true;
   }
-  // visit(operation, is_applied) for each that can be applied or reversed as the front is now, once.
+  // visit(operation) for each that can be applied or reversed as the front is now, once.
   template <class Visit>
   void for_each_candidate(const Visit& visit) const;
+  // The operation is a candidate or is none, as its triangles are now.
+  void update(Index operation);
+  void update_around(Index operation);
   void apply(Index operation);
   void reverse(Index operation);
   void add(Index triangle);
@@ -90,9 +94,11 @@ class Front {
   static bool settle(std::vector<Key>& heap, const Less& less, const IsCurrent& is_current);
 
   const FourKMesh* mesh_;
-  std::vector<Index> alive_;                // [triangles of the front]
-  std::vector<Index> place_;                // [mesh.triangle_count()]: in alive_; kNone for those that are not there
-  std::vector<std::uint8_t> applied_;       // [mesh.operation_count()]
+  std::vector<Index> alive_;            // [triangles of the front]
+  std::vector<Index> place_;            // [mesh.triangle_count()]: in alive_; kNone for those that are not there
+  std::vector<Index> candidates_;       // operations that can be applied or reversed
+  std::vector<Index> candidate_place_;  // [mesh.operation_count()]: in candidates_; kNone for those that are not there
+  std::vector<std::uint8_t> applied_;   // [mesh.operation_count()]
   std::vector<std::uint8_t> remembered_;    // [mesh.operation_count()]: as it was then
   std::vector<Index> visit_;                // scratch
   std::vector<Key> to_apply_, to_reverse_;  // scratch: heaps
@@ -102,10 +108,13 @@ class Front {
 
 template <class Visit>
 void Front::for_each_candidate(const Visit& visit) const {
-  for (const Index t : alive_) {
-    const Index creator = mesh_->creator[t], destroyer = mesh_->destroyer[t];
-    if (creator != kNone && t == mesh_->created_begin[creator] && can_reverse(creator)) visit(creator, true);
-    if (destroyer != kNone && t == mesh_->destroyed_by(destroyer)[0] && can_apply(destroyer)) visit(destroyer, false);
+  constexpr std::size_t kAhead = 16;
+  for (std::size_t i = 0; i < candidates_.size(); ++i) {
+    if (i + kAhead < candidates_.size()) {
+      const Index later = candidates_[i + kAhead];
+      fetch(&mesh_->vertex[later]), fetch(&mesh_->error[later]), fetch(&mesh_->radius[later]);
+    }
+    visit(candidates_[i]);
   }
 }
 
@@ -113,8 +122,8 @@ template <class IsCoarse>
 void Front::move(const IsCoarse& is_coarse) {
   changes_ = 0;
   visit_.clear();
-  for_each_candidate([&](Index operation, bool is_applied) {
-    if (is_coarse(operation) != is_applied) visit_.push_back(operation);
+  for_each_candidate([&](Index operation) {
+    if (is_coarse(operation) != is_applied(operation)) visit_.push_back(operation);
   });
   while (!visit_.empty()) {
     const Index operation = visit_.back();
@@ -157,8 +166,8 @@ void Front::move_to_budget(const Value& value, Index budget, FrontBudget unit) {
     std::push_heap(to_reverse_.begin(), to_reverse_.end(), last_last);
   };
   to_apply_.clear(), to_reverse_.clear();
-  for_each_candidate([&](Index operation, bool is_applied) {
-    (is_applied ? to_reverse_ : to_apply_).push_back({value(operation), operation});
+  for_each_candidate([&](Index operation) {
+    (is_applied(operation) ? to_reverse_ : to_apply_).push_back({value(operation), operation});
   });
   std::make_heap(to_apply_.begin(), to_apply_.end(), first_last);
   std::make_heap(to_reverse_.begin(), to_reverse_.end(), last_last);

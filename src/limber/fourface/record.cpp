@@ -2,6 +2,9 @@
 #include "limber/fourface/record.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "limber/contract/fetch.h"
 
 namespace limber {
 
@@ -12,6 +15,10 @@ Record::Record(const Mesh& mesh, const FaceTable& faces) {
   mesh_.triangles.reserve(most);
   mesh_.creator.reserve(most);
   mesh_.destroyer.reserve(most);
+  mesh_.destroyed.reserve(most);
+  for (std::vector<Index>* of_operations : {&mesh_.created_begin, &mesh_.destroyed_begin, &mesh_.vertex})
+    of_operations->reserve(most / 2);
+  mesh_.error.reserve(most / 2);
   for (const Triangle& t : mesh.triangles)
     if (!is_degenerate(t)) mesh_.triangles.push_back(t);
   mesh_.creator.assign(mesh_.finest_count, kNone);
@@ -29,7 +36,7 @@ void Record::add(FaceTable& faces, Index v, double error, std::span<const Index>
   for (const Index f : created_faces) {
     Face& face = faces.face(f);
     face.triangle = mesh_.triangle_count();
-    face.depth = static_cast<std::uint16_t>(depth);
+    face.depth = depth & Face::kMostDepth;
     face.operations = static_cast<std::uint16_t>(operations);
     mesh_.triangles.push_back(face.corners);
     mesh_.creator.push_back(operation);
@@ -52,25 +59,44 @@ bool Record::end_level() {
   return true;
 }
 
+namespace {
+
+// What the operation some way on destroys, and what that depends on, lies anywhere before it.
+void fetch_ahead(const FourKMesh& mesh, Index operation) {
+  constexpr Index kFar = 16, kNear = 8;
+  if (operation + kFar < mesh.operation_count())
+    for (const Index t : mesh.destroyed_by(operation + kFar)) fetch(&mesh.creator[t]), fetch(&mesh.triangles[t]);
+  if (operation + kNear >= mesh.operation_count()) return;
+  for (const Index t : mesh.destroyed_by(operation + kNear))
+    if (const Index c = mesh.creator[t]; c != kNone)
+      fetch(&mesh.error[c]), fetch(&mesh.radius[c]), fetch(&mesh.vertex[c]);
+}
+
+}  // namespace
+
 void make_monotone(FourKMesh& mesh, std::span<const Vec3f> positions, double scale) {
   // More than what rounding does to distances between spheres.
   constexpr double kMargin = 1 + 1e-5;
   mesh.radius.resize(mesh.operation_count());
   for (Index o = 0; o < mesh.operation_count(); ++o) {
+    fetch_ahead(mesh, o);
     const auto center = static_cast<Vec3d>(positions[mesh.vertex[o]]);
     float error = static_cast<float>(mesh.error[o] / scale);
-    double radius = 0;
+    double radius = 0, farthest = 0;
     for (const Index t : mesh.destroyed_by(o)) {
-      for (const Index corner : mesh.triangles[t])
-        radius = std::max(radius, length(static_cast<Vec3d>(positions[corner]) - center));
       const Index c = mesh.creator[t];
-      if (c == kNone) continue;
+      if (c == kNone) {
+        for (const Index corner : mesh.triangles[t])
+          farthest = std::max(farthest, squared_length(static_cast<Vec3d>(positions[corner]) - center));
+        continue;
+      }
+      // The sphere of what has created a triangle holds the triangle.
       error = std::max(error, mesh.error[c]);
       const double apart = length(static_cast<Vec3d>(positions[mesh.vertex[c]]) - center);
       radius = std::max(radius, apart + static_cast<double>(mesh.radius[c]));
     }
     mesh.error[o] = error;
-    mesh.radius[o] = static_cast<float>(radius * kMargin);
+    mesh.radius[o] = static_cast<float>(std::max(radius, std::sqrt(farthest)) * kMargin);
   }
 }
 

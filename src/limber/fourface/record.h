@@ -17,7 +17,7 @@ class Record {
   Record(const Mesh& mesh, const FaceTable& faces);
 
   // One more operation: the triangles destroyed, and the faces that are there in their place, which get the numbers of
-  // new triangles, this depth, and one more than the most operations below. `error`: its own.
+  // new triangles, this depth, at most Face::kMostDepth, and one more than the most operations below. `error`: its own.
   void add(FaceTable& faces, Index v, double error, std::span<const Index> destroyed,
            std::span<const Index> created_faces, unsigned depth, unsigned operations = 0);
   // The first triangle created by the last operation begins with u from now on.

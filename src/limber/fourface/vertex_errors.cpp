@@ -6,16 +6,18 @@
 #include <limits>
 #include <utility>
 
+#include "limber/fourface/pair.h"
+
 namespace limber {
 
 VertexErrors::VertexErrors(const Mesh& mesh, std::vector<Vec3d> positions, std::size_t frame_count,
-                           const QuadricOptions& options)
+                           const QuadricOptions& options, bool is_closed)
     : options_(options),
       frame_count_(frame_count),
       positions_(std::move(positions)),
       quadrics_(positions_.size()),
       own_error_(mesh.vertex_count) {
-  VertexQuadrics finest(mesh, options_);
+  VertexQuadrics finest(mesh, is_closed ? Edges{} : find_edges(mesh), options_);
   if (frame_count_ == 1) {
     finest.compute(positions_, quadrics_);
   } else {
@@ -71,24 +73,29 @@ void VertexErrors::hold_line(const FaceTable& faces, Index half_edge) {
 }
 
 double VertexErrors::least_removal(const FaceTable& faces, Index v) const {
-  double least = std::numeric_limits<double>::infinity();
-  const Index start = faces.outgoing(v);
-  if (start == kNone) return least;
-  const auto look_at = [&](Index u) { least = std::min(least, removal_cost(v, u)); };
-  Index h = start;
-  do {
-    look_at(faces.target(h));
-    const Index back = FaceTable::previous(h);
-    h = faces.twin(back);
-    if (h == kNone) look_at(faces.origin(back));
-  } while (h != start && h != kNone);
-  if (h == kNone) {
-    for (h = faces.twin(start); h != kNone; h = faces.twin(h)) {
-      h = FaceTable::next(h);
-      look_at(faces.target(h));
+  Star star;
+  std::array<double, Star::kMostNeighbours> costs;
+  if (!faces.gather(v, star)) return std::numeric_limits<double>::infinity();
+  removal_costs(star, costs);
+  return *std::min_element(costs.begin(), costs.begin() + star.count);
+}
+
+void VertexErrors::removal_costs(const Star& star, std::span<double> costs) const {
+  for (std::uint32_t i = 0; i < star.count; i += 2) {
+    const Index u = star.ring[i], w = star.ring[std::min(i + 1, star.count - 1)];
+    Pair sum{own_error_[u], own_error_[w]};
+    for (std::size_t f = 0; f < frame_count_; ++f) {
+      const Quadric& q = quadrics_[star.center * frame_count_ + f];
+      const Vec3d &p = at(u, f), &o = at(w, f);
+      const Pair x{p.x, o.x}, y{p.y, o.y}, z{p.z, o.z};
+      const Pair rx = q.xx * x + q.xy * y + q.xz * z + 2 * q.bx;
+      const Pair ry = q.xy * x + q.yy * y + q.yz * z + 2 * q.by;
+      const Pair rz = q.xz * x + q.yz * y + q.zz * z + 2 * q.bz;
+      sum += rx * x + ry * y + rz * z + q.c;
     }
+    costs[i] = std::max(sum[0], 0.0);
+    if (i + 1 < star.count) costs[i + 1] = std::max(sum[1], 0.0);
   }
-  return least;
 }
 
 double VertexErrors::swap_error(Index v, Index r, Index s, Index t) const {
@@ -109,15 +116,6 @@ double VertexErrors::removal_error(Index v, Index u) const {
     weight += q.trace();
   }
   return weight > 0 ? std::sqrt(std::max(sum, 0.0) / weight) : 0;
-}
-
-bool VertexErrors::faces_outwards(Index a, Index b, Index c) const {
-  for (std::size_t f = 0; f < frame_count_; ++f) {
-    const Vec3d area = cross(at(b, f) - at(a, f), at(c, f) - at(a, f));
-    const auto is_behind = [&](Index v) { return dot(area, static_cast<Vec3d>(normals_[v * frame_count_ + f])) < 0; };
-    if (is_behind(a) && is_behind(b) && is_behind(c)) return false;
-  }
-  return true;
 }
 
 void VertexErrors::share(Index v, Index u, Index w) {
