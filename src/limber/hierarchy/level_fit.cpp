@@ -97,7 +97,7 @@ Index LevelFit::sample_level(Index level) const {
   return samples;
 }
 
-void LevelFit::find_members(Index level) {
+void LevelFit::find_members(Index level, std::span<const Vec3d> positions) {
   const Index samples = sample_level(level);
   const Index begin = hierarchy_.level_begin[samples];
   Index from = level - 1;  // the clusters are known on this level
@@ -117,10 +117,9 @@ void LevelFit::find_members(Index level) {
   sums(member_begin_);
   members_.resize(clusters_.size() + triangle_count);
   for (std::size_t t = triangle_count; t-- > 0;)
-    members_[--member_begin_[cluster_of(mesh_.triangles[t]) - first_]] =
-        hierarchy_.node_count() + static_cast<Index>(t);
+    members_[--member_begin_[cluster_of(mesh_.triangles[t]) - first_]] = centroid(t, positions);
   for (std::size_t i = clusters_.size(); i-- > 0;)
-    members_[--member_begin_[clusters_[i] - first_]] = static_cast<Index>(begin + i);
+    members_[--member_begin_[clusters_[i] - first_]] = {positions[begin + i], areas_[begin + i]};
 }
 
 // Of a finest triangle, where samples are of the finest level: that of two corners, or of any.
@@ -134,10 +133,9 @@ bool LevelFit::has_centroids() const {
   return samples_ == 0 && hierarchy_.vertex_count() < std::uint64_t{kSamplesPerNode} * (end_ - first_);
 }
 
-LevelFit::Sample LevelFit::sample(Index member, std::span<const Vec3d> positions) const {
-  if (member < hierarchy_.node_count()) return {positions[member], areas_[member]};
-  const auto& [a, b, c] = mesh_.triangles[member - hierarchy_.node_count()];
-  return {(positions[a] + positions[b] + positions[c]) * (1.0 / 3), 9 * third_areas_[member - hierarchy_.node_count()]};
+LevelFit::Sample LevelFit::centroid(std::size_t triangle, std::span<const Vec3d> positions) const {
+  const auto& [a, b, c] = mesh_.triangles[triangle];
+  return {(positions[a] + positions[b] + positions[c]) * (1.0 / 3), 9 * third_areas_[triangle]};
 }
 
 void LevelFit::look_around(Index node, std::span<const Vec3d> positions) {
@@ -184,7 +182,7 @@ void LevelFit::pull(std::span<const Vec3d> positions, Index step) {
     look_around(node, positions);
     if (fan_.empty()) continue;
     for (Index i = begin; i < end; i += by) {
-      const auto [point, area] = sample(members_[i], positions);
+      const auto& [point, area] = members_[i];
       pull_towards(point - positions[node], by * share * area, node);
     }
   }
@@ -259,7 +257,7 @@ void LevelFit::fit(std::span<const double> vertex_areas, std::span<const Quadric
   triangles_ = mesh_.triangles;
   for (Index level = 1; level < hierarchy_.level_count(); ++level) {
     go_up(level);
-    find_members(level);
+    find_members(level, positions);
     minima_.assign(positions.begin() + first_, positions.begin() + end_);
     for (unsigned round = 0; round < options.rounds; ++round) {
       pull(positions, round == 0 && options.rounds > 1 ? 2 : 1);

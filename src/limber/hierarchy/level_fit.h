@@ -56,8 +56,8 @@ class LevelFit {
   Index sample_level(Index level) const;
   bool has_centroids() const;
   Index cluster_of(const Triangle& triangle) const;
-  void find_members(Index level);
-  Sample sample(Index member, std::span<const Vec3d> positions) const;
+  void find_members(Index level, std::span<const Vec3d> positions);
+  Sample centroid(std::size_t triangle, std::span<const Vec3d> positions) const;
   void look_around(Index node, std::span<const Vec3d> positions);
   void pull_towards(const Vec3d& point, double weight, Index node);
   void pull(std::span<const Vec3d> positions, Index step);
@@ -81,7 +81,7 @@ class LevelFit {
   Index samples_ = 0;                // the sample level
   std::vector<Index> clusters_;      // [size of the sample level]
   std::vector<Index> member_begin_;  // [level_size + 1], into members_
-  std::vector<Index> members_;       // nodes of the sample level and, beyond the nodes, finest triangles, by cluster
+  std::vector<Sample> members_;      // nodes of the sample level, after the finest the middles of triangles, by cluster
   std::vector<Pull> pulls_;          // [level_size]
   Fan fan_;                          // of the node at work
   std::vector<Index> drawn_back_;    // nodes
