@@ -221,6 +221,20 @@ void Reclusterer::improve_level(Index level) {
   }
 }
 
+// Of the frame, before anything is moved.
+bool Reclusterer::is_jump() {
+  const RestartOptions& restart = options_.restart;
+  if (graphs_.size() < 2 || !(restart.jump > 0)) return false;
+  if (first_) return restart.tries_first;
+  if (frames_to_wait_ > 0) --frames_to_wait_;
+  const double jump = mean_ratio(level_errors(), errors_before_);
+  if (!(jump > restart.jump)) return false;
+  if (jump >= restart.certain_jump) return true;
+  if (frames_to_wait_ > 0) return false;
+  frames_to_wait_ = restart.patience;
+  return true;
+}
+
 void Reclusterer::try_anew(std::span<const Vec3f> positions) {
   std::optional<Hierarchy> made =
       build_alike(mesh_, positions, hierarchy(), {.topology = options_.topology, .quadrics = options_.quadrics});
@@ -254,9 +268,7 @@ std::span<const Swap> Reclusterer::step(std::span<const Vec3f> positions) {
     growth_ = options_.growth.value_or(fitted_growth());
     worth_.set_weights(growth_, options_.coarser_weight);
   }
-  const RestartOptions& restart = options_.restart;
-  const bool is_jump = graphs_.size() > 1 && restart.jump > 0 &&
-                       (first_ ? restart.tries_first : mean_ratio(level_errors(), errors_before_) > restart.jump);
+  const bool may_be_anew = is_jump();
   parents_before_ = hierarchy().parent;
   for (Index level = 1; level < graphs_.size(); ++level)
     graph_builder_.build_coarser(hierarchy(), level, graphs_[level - 1], graphs_[level]);
@@ -264,7 +276,7 @@ std::span<const Swap> Reclusterer::step(std::span<const Vec3f> positions) {
   if (is_limited) budget_.limit(graphs_, options_.most_changed);
   for (Index level = hierarchy().level_count() - 1; level-- > 0;) improve_level(level);
   has_restarted_ = false;
-  if (is_jump && !is_limited) try_anew(positions);
+  if (may_be_anew && !is_limited) try_anew(positions);
   clusters_.weigh();
   errors_before_ = level_errors();
   fitted_energies_.assign(clusters_.energies().begin(), clusters_.energies().end());

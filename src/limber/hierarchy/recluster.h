@@ -27,7 +27,10 @@ namespace limber {
 struct RestartOptions {
   // A frame is tried that way where its errors, before anything is moved, are so many times those of the frame before,
   // >= 1; 0: none is.
-  double jump = 2.25;
+  double jump = 1.5;
+  // Less than so many times may be fast motion, which goes on: then one frame in `patience` is tried.
+  double certain_jump = 2.25;
+  unsigned patience = 32;
   // What is made anew is taken where it leaves less than this share of the errors that following does, > 0.
   double gain = 0.85;
   // The first frame is tried, too: for where the base hierarchy was made for others beside it.
@@ -120,6 +123,7 @@ class Reclusterer {
   void touch(const LevelGraph& graph, Index cluster);
   double threshold_below(Index level) const;
   void improve_level(Index level);
+  bool is_jump();
   void try_anew(std::span<const Vec3f> positions);
 
   const Mesh& mesh_;
@@ -136,6 +140,7 @@ class Reclusterer {
   double scale_ = 0;  // of the first frame's normalization, used for all
   bool first_ = true;
   bool has_restarted_ = false;
+  unsigned frames_to_wait_ = 0;  // until another frame is tried that may be fast motion
   std::vector<double> errors_before_;  // level_errors() of the frame before
 
   std::vector<double> fitted_energies_;  // [node_count], squared errors after the fit
