@@ -38,7 +38,7 @@ TEST_F(View, ExportsAPageWithTheStreamInside) {
   const std::string page = bytes(path("a.html"));
   EXPECT_EQ(ran.json()["bytes"], page.size());
   EXPECT_THAT(page, StartsWith("<!doctype html>"));
-  EXPECT_THAT(page, HasSubstr("data-name=\"a.limber\">iUxNQlINChoB"));
+  EXPECT_THAT(page, HasSubstr("data-name=\"a.limber\">iUxNQlINChoC"));
   EXPECT_EQ(run({"view", file, "--export", path("a.html")}).exit, Exit::kFailure);
   EXPECT_EQ(run({"view", file, "--export", path("a.html"), "-f"}).exit, Exit::kDone);
 }
