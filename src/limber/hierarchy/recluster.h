@@ -140,7 +140,7 @@ class Reclusterer {
   double scale_ = 0;  // of the first frame's normalization, used for all
   bool first_ = true;
   bool has_restarted_ = false;
-  unsigned frames_to_wait_ = 0;  // until another frame is tried that may be fast motion
+  unsigned frames_to_wait_ = 0;        // until another frame is tried that may be fast motion
   std::vector<double> errors_before_;  // level_errors() of the frame before
 
   std::vector<double> fitted_energies_;  // [node_count], squared errors after the fit
