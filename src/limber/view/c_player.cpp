@@ -77,7 +77,8 @@ struct limber_cut {
   ExtractScratch scratch;
   MeshBuffers buffers;
   VertexErrors errors;
-  std::vector<Index> nodes;                 // [buffers.vertex_count()]: where moving vertices go, else the vertex's own
+  std::vector<Index> targets;               // of a blend: the buffers' nodes, but where moving vertices go
+  std::span<const Index> nodes;             // [buffers.vertex_count()]: those, or the buffers'
   std::vector<std::uint8_t> levels, moved;  // [buffers.vertex_count()]
 };
 
@@ -190,9 +191,10 @@ void extract_shown(limber_cut& cut, Index blend_frames) {
   cut.blend->update(state, *cut.cut);
   extract(finest, *cut.blend, cut.scratch, cut.buffers);
   const Index node_count = cut.blend->node_count();
-  cut.nodes = cut.buffers.nodes;
-  for (Index& node : cut.nodes)
+  cut.targets = cut.buffers.nodes;
+  for (Index& node : cut.targets)
     if (node >= node_count) node = cut.blend->target(node - node_count);
+  cut.nodes = cut.targets;
 }
 
 }  // namespace
