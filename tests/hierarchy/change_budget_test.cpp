@@ -17,7 +17,7 @@ std::vector<LevelGraph> graphs_of(const Shape& shape, const Hierarchy& h) {
   return graphs;
 }
 
-// Every valid swap of finest vertices that the budget allows; how many it does not.
+// The first valid swap of every finest vertex that the budget allows; how many it does not.
 std::size_t swap_all(Clustering& clusters, ChangeBudget& budget, const LevelGraph& graph) {
   SwapValidity is_valid(clusters.hierarchy(), clusters.children(), Topology::kPreserve);
   std::size_t refused = 0;
@@ -25,7 +25,9 @@ std::size_t swap_all(Clustering& clusters, ChangeBudget& budget, const LevelGrap
     for (const Index n : graph.around(node)) {
       const Index to = clusters.parent(n);
       if (to == clusters.parent(node) || clusters.has_one_child(clusters.parent(node))) continue;
-      if (is_valid(graph, node, to)) refused += budget.move(clusters, graph, node, to) ? 0 : 1;
+      if (!is_valid(graph, node, to)) continue;
+      if (budget.move(clusters, graph, node, to)) break;
+      ++refused;
     }
   }
   return refused;

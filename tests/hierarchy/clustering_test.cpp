@@ -22,6 +22,12 @@ TEST(Clustering, SumsTheQuadricsOfAllVerticesBelowANode) {
       EXPECT_NEAR(c.quadric(node).c, sum.c, 1e-14);
       EXPECT_NEAR(c.quadric(node).xx, sum.xx, 1e-14);
       EXPECT_NEAR(c.energy(node), sum(c.minimum_at(node)), 1e-14);
+      Facing facing;
+      for (Index v = 0; v < h.vertex_count(); ++v)
+        if (node_of[v] == node) facing += c.facing(v);
+      EXPECT_GT(facing.area, 0);
+      EXPECT_NEAR(c.facing(node).area, facing.area, 1e-14);
+      EXPECT_NEAR(c.facing(node).vector.z, facing.vector.z, 1e-14);
     }
   }
 }
@@ -39,12 +45,15 @@ TEST(Clustering, WeighsAfterRandomMovesAsItWouldFromScratch) {
     ASSERT_EQ(c.parent(node), to);
   }
   const std::vector<Quadric> moved(c.quadrics().begin(), c.quadrics().end());
+  const std::vector<Facing> faced(c.facings().begin(), c.facings().end());
   std::vector<double> energies;
   for (Index level = 1; level < c.hierarchy().level_count(); ++level) energies.push_back(c.total_energy(level));
   c.weigh();
   for (Index node = 0; node < c.hierarchy().node_count(); ++node) {
     EXPECT_NEAR(c.quadric(node).xx, moved[node].xx, 1e-13);
     EXPECT_NEAR(c.quadric(node).c, moved[node].c, 1e-13);
+    EXPECT_NEAR(c.facing(node).area, faced[node].area, 1e-13);
+    EXPECT_NEAR(c.facing(node).vector.x, faced[node].vector.x, 1e-13);
   }
   for (Index level = 1; level < c.hierarchy().level_count(); ++level)
     EXPECT_NEAR(c.total_energy(level), energies[level - 1], 1e-9 * energies[level - 1]);

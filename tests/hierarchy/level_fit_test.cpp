@@ -18,7 +18,7 @@ struct Levels {
   Shape shape;
   Hierarchy hierarchy;
   std::vector<Quadric> quadrics;
-  std::vector<double> areas;  // of the vertices
+  std::vector<Facing> facings;
   std::vector<Vec3d> minima;
   std::vector<double> quadric_errors;  // at the minima
 
@@ -26,6 +26,7 @@ struct Levels {
       : shape(std::move(given)),
         hierarchy(test::built(shape, branching, topology)),
         quadrics(hierarchy.node_count()),
+        facings(hierarchy.node_count()),
         minima(hierarchy.node_count()),
         quadric_errors(hierarchy.node_count()) {
     place(shape.positions);
@@ -38,10 +39,11 @@ struct Levels {
     VertexQuadrics of_vertices(shape.mesh, {});
     of_vertices.compute(std::span(minima).first(hierarchy.vertex_count()),
                         std::span(quadrics).first(hierarchy.vertex_count()));
-    areas.assign(of_vertices.areas().begin(), of_vertices.areas().end());
+    std::fill(std::ranges::copy(of_vertices.facings(), facings.begin()).out, facings.end(), Facing{});
     std::fill(quadrics.begin() + hierarchy.vertex_count(), quadrics.end(), Quadric{});
     for (Index node = 0; node < hierarchy.node_count(); ++node)
-      if (hierarchy.parent[node] != kNone) quadrics[hierarchy.parent[node]] += quadrics[node];
+      if (const Index parent = hierarchy.parent[node]; parent != kNone)
+        quadrics[parent] += quadrics[node], facings[parent] += facings[node];
     for (Index node = hierarchy.vertex_count(); node < hierarchy.node_count(); ++node) {
       const QuadricMinimum at = minimum(quadrics[node]);
       minima[node] = at.point, quadric_errors[node] = at.value;
@@ -54,7 +56,7 @@ struct Levels {
   };
   Fitted fitted(LevelFit& fit, const FitOptions& options) const {
     Fitted fitted{minima, quadric_errors};
-    fit.fit(areas, quadrics, options, fitted.positions, fitted.errors);
+    fit.fit(quadrics, facings, options, fitted.positions, fitted.errors);
     return fitted;
   }
   std::vector<Vec3d> fitted(const FitOptions& options) const {
@@ -77,7 +79,7 @@ struct Levels {
     const eval::ClosestPointTree tree({of_level, corners});
     double sum = 0;
     const auto at = [&](const Vec3d& p) { return tree.closest(p).squared_distance; };
-    for (Index v = 0; v < hierarchy.vertex_count(); ++v) sum += areas[v] / 4 * at(positions[v]);
+    for (Index v = 0; v < hierarchy.vertex_count(); ++v) sum += facings[v].area / 4 * at(positions[v]);
     for (const auto& [a, b, c] : shape.mesh.triangles) {
       const Vec3d &p = positions[a], &q = positions[b], &r = positions[c];
       sum += 0.75 * 0.5 * length(cross(q - p, r - p)) * at((p + q + r) * (1.0 / 3));

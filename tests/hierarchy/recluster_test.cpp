@@ -5,6 +5,7 @@
 #include <set>
 #include <type_traits>
 
+#include "limber/base/facing.h"
 #include "limber/hierarchy/validate.h"
 #include "tests/support/hierarchies.h"
 
@@ -242,6 +243,47 @@ TEST(Reclusterer, AsksMoreOfASwapWhereClustersAreSmall) {
   const double after = weighted(level_errors(now, r.hierarchy(), scale), last, r.growth(), options.coarser_weight);
   ASSERT_GT(swaps, 10u);
   EXPECT_GT(before - after, 0.05 * 16 * errors[1] / last.level_size(1) * static_cast<double>(swaps));
+}
+
+// A sheet with creases that wander.
+Shape creased(const Shape& sheet, int frame) {
+  const float t = 0.2f * static_cast<float>(frame);
+  return moved(sheet, [t](Vec3f p) {
+    const float z = 1.5f * std::abs(std::sin(0.35f * p.x + 0.2f * p.y + 1.5f * t));
+    return Vec3f{p.x, p.y, z + std::abs(std::sin(0.3f * p.y - 0.1f * p.x + t))};
+  });
+}
+
+TEST(Reclusterer, TurnsTrianglesBackWhereToldTo) {
+  const Shape sheet = test::sheet(60, 60);
+  const auto count_turned_over = [&](double unfold) {
+    ReclusterOptions options{.unfold = unfold};
+    options.fit.rounds = 0;
+    Reclusterer r(sheet.mesh, test::built(creased(sheet, 0), 4, Topology::kPreserve), options);
+    int count = 0;
+    for (int frame = 0; frame < 10; ++frame) {
+      const Shape now = creased(sheet, frame);
+      r.step(now.positions);
+      const std::vector<Index> cluster = test::ancestors(r.hierarchy(), 1);
+      std::vector<Facing> facings(r.hierarchy().node_count());
+      for (const auto& [a, b, c] : now.mesh.triangles) {
+        const Vec3d p(now.positions[a]), v = cross(Vec3d(now.positions[b]) - p, Vec3d(now.positions[c]) - p);
+        for (const Index vertex : {a, b, c}) facings[cluster[vertex]] += {v, length(v)};
+      }
+      const auto at = [&](Index node) { return Vec3d(r.positions()[node]); };
+      for (const auto& [u, v, w] : now.mesh.triangles) {
+        const Index a = cluster[u], b = cluster[v], c = cluster[w];
+        if (is_degenerate(Triangle{a, b, c})) continue;
+        Facing surface = facings[a];
+        surface += facings[b];
+        surface += facings[c];
+        count += is_turned_over(at(a), at(b), at(c), surface);
+      }
+    }
+    return count;
+  };
+  EXPECT_GT(count_turned_over(0), 4);
+  EXPECT_EQ(count_turned_over(0.5), 0);
 }
 
 TEST(Reclusterer, LeavesABaseThatDoesNotFitTheFirstFrameWhereToldTo) {

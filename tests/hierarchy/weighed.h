@@ -2,6 +2,8 @@
 // A hierarchy over a shape with its quadrics.
 #pragma once
 
+#include <algorithm>
+
 #include "limber/contract/vertex_quadrics.h"
 #include "limber/hierarchy/clustering.h"
 #include "tests/support/hierarchies.h"
@@ -12,7 +14,9 @@ inline Clustering weighed(const Shape& shape, double branching, Topology topolog
   Clustering c(built(shape, branching, topology));
   const Normalization to = normalization(shape.positions);
   for (Index v = 0; v < shape.mesh.vertex_count; ++v) c.finest_positions()[v] = to.to_unit(shape.positions[v]);
-  VertexQuadrics(shape.mesh, {}).compute(c.finest_positions(), c.finest_quadrics());
+  VertexQuadrics of_vertices(shape.mesh, {});
+  of_vertices.compute(c.finest_positions(), c.finest_quadrics());
+  std::ranges::copy(of_vertices.facings(), c.finest_facings().begin());
   c.weigh();
   return c;
 }

@@ -15,16 +15,16 @@ Normalization normalization(std::span<const Vec3f> positions) {
 }
 
 VertexQuadrics::VertexQuadrics(const Mesh& mesh, const Edges& edges, const QuadricOptions& options)
-    : triangles_(mesh.triangles), options_(options), areas_(mesh.vertex_count) {
+    : triangles_(mesh.triangles), options_(options), facings_(mesh.vertex_count) {
   for (Index e = 0; e < edges.ends.size(); ++e)
     if (edges.triangle_count[e] == 1)
       border_edges_.push_back({edges.ends[e][0], edges.ends[e][1], edges.some_triangle[e]});
 }
 
 void VertexQuadrics::compute(std::span<const Vec3d> positions, std::span<Quadric> quadrics) {
-  assert(positions.size() == areas_.size() && quadrics.size() == areas_.size());
+  assert(positions.size() == facings_.size() && quadrics.size() == facings_.size());
   std::fill(quadrics.begin(), quadrics.end(), Quadric{});
-  std::fill(areas_.begin(), areas_.end(), 0.0);
+  std::fill(facings_.begin(), facings_.end(), Facing{});
   double total_area = 0;
   for (const auto& [a, b, c] : triangles_) {
     const Vec3d& p = positions[a];
@@ -34,7 +34,8 @@ void VertexQuadrics::compute(std::span<const Vec3d> positions, std::span<Quadric
     const double third = doubled_area * (1.0 / 6);
     const Quadric q = Quadric::plane(normal * (1 / doubled_area), p, third);
     quadrics[a] += q, quadrics[b] += q, quadrics[c] += q;
-    areas_[a] += third, areas_[b] += third, areas_[c] += third;
+    const Facing third_facing{normal * (1.0 / 6), third};
+    facings_[a] += third_facing, facings_[b] += third_facing, facings_[c] += third_facing;
     total_area += doubled_area * 0.5;
   }
   for (const auto& [from, to, triangle] : border_edges_) {
@@ -49,13 +50,13 @@ void VertexQuadrics::compute(std::span<const Vec3d> positions, std::span<Quadric
     quadrics[from] += q, quadrics[to] += q;
   }
   // A vertex without area still needs a place of its own.
-  const auto vertex_count = static_cast<double>(areas_.size());
+  const auto vertex_count = static_cast<double>(facings_.size());
   const double least_area = total_area > 0 ? 1e-6 * total_area / vertex_count : 1 / vertex_count;
   // Where triangles are slivers, a border is all that counts; the point must not drown in the rounding of its planes.
   constexpr double kLeastShare = 1e-10;
-  for (std::size_t v = 0; v < areas_.size(); ++v) {
+  for (std::size_t v = 0; v < facings_.size(); ++v) {
     Quadric& q = quadrics[v];
-    const double weight = options_.point_weight * std::max(areas_[v], least_area);
+    const double weight = options_.point_weight * std::max(facings_[v].area, least_area);
     q.add_point(positions[v], std::max(weight, kLeastShare * q.trace()));
   }
 }

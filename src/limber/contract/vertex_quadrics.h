@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "limber/base/facing.h"
 #include "limber/base/mesh.h"
 #include "limber/base/quadric.h"
 #include "limber/base/vec.h"
@@ -46,8 +47,8 @@ class VertexQuadrics {
   // positions: [vertex_count], normalized; quadrics: [vertex_count], overwritten.
   void compute(std::span<const Vec3d> positions, std::span<Quadric> quadrics);
 
-  // [vertex_count]: a third of the area of the triangles around each vertex, in the frame of the last compute().
-  std::span<const double> areas() const { return areas_; }
+  // [vertex_count]: a third of the triangles around each vertex, in the frame of the last compute().
+  std::span<const Facing> facings() const { return facings_; }
 
  private:
   struct BorderEdge {
@@ -57,7 +58,7 @@ class VertexQuadrics {
   const std::vector<Triangle>& triangles_;
   QuadricOptions options_;
   std::vector<BorderEdge> border_edges_;
-  std::vector<double> areas_;  // [vertex_count]
+  std::vector<Facing> facings_;  // [vertex_count]
 };
 
 }  // namespace limber

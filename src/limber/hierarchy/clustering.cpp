@@ -11,6 +11,7 @@ Clustering::Clustering(Hierarchy base)
     : hierarchy_(std::move(base)),
       children_(hierarchy_),
       quadrics_(hierarchy_.node_count()),
+      facings_(hierarchy_.node_count()),
       minima_(hierarchy_.node_count()),
       energies_(hierarchy_.node_count(), 0.0) {}
 
@@ -29,8 +30,10 @@ void Clustering::place(Index node) {
 void Clustering::weigh() {
   const Index vertex_count = hierarchy_.vertex_count(), node_count = hierarchy_.node_count();
   std::fill(quadrics_.begin() + vertex_count, quadrics_.end(), Quadric{});
+  std::fill(facings_.begin() + vertex_count, facings_.end(), Facing{});
   for (Index node = 0; node < node_count; ++node)
-    if (hierarchy_.parent[node] != kNone) quadrics_[hierarchy_.parent[node]] += quadrics_[node];
+    if (const Index parent = hierarchy_.parent[node]; parent != kNone)
+      quadrics_[parent] += quadrics_[node], facings_[parent] += facings_[node];
   for (Index node = vertex_count; node < node_count; ++node) place(node);
 }
 
@@ -41,7 +44,9 @@ void Clustering::move(Index node, Index to) {
   for (; from != to && from != kNone; from = hierarchy_.parent[from], to = hierarchy_.parent[to]) {
     quadrics_[from] -= quadrics_[node];
     quadrics_[to] += quadrics_[node];
-    if (children_.first_child(from) == kNone) quadrics_[from] = {};  // not what rounding has left
+    facings_[from] -= facings_[node];
+    facings_[to] += facings_[node];
+    if (children_.first_child(from) == kNone) quadrics_[from] = {}, facings_[from] = {};  // not what rounding has left
     place(from);
     place(to);
   }

@@ -31,8 +31,7 @@ constexpr double kDamping = 0.001;
 constexpr double kReach = 0.5;
 // What is left of a quadric is the squared distance to planes, about twice that to the surface they bound.
 constexpr double kPlanes = 0.5;
-constexpr double kFacing = 0.7;  // the least length of the mean normal of a surface that faces one way
-constexpr int kHalvings = 3;     // before a node is drawn back for good
+constexpr int kHalvings = 3;  // before a node is drawn back for good
 
 // Counts to the ends of groups; what fills them from behind leaves the beginnings.
 void sums(std::vector<Index>& begin) {
@@ -40,33 +39,9 @@ void sums(std::vector<Index>& begin) {
   for (Index& b : begin) sum += b, b = sum;
 }
 
-// Along the normal, twice the area long.
-Vec3d area_vector(const Triangle& t, std::span<const Vec3d> positions) {
-  return cross(positions[t[1]] - positions[t[0]], positions[t[2]] - positions[t[0]]);
-}
-
 }  // namespace
 
-LevelFit::LevelFit(const Mesh& mesh, const Hierarchy& hierarchy)
-    : mesh_(mesh),
-      hierarchy_(hierarchy),
-      areas_(hierarchy.node_count()),
-      area_vectors_(hierarchy.node_count()),
-      third_areas_(mesh.triangles.size()) {}
-
-void LevelFit::sum_clusters(std::span<const double> vertex_areas, std::span<const Vec3d> positions) {
-  std::fill(std::copy(vertex_areas.begin(), vertex_areas.end(), areas_.begin()), areas_.end(), 0.0);
-  std::fill(area_vectors_.begin(), area_vectors_.end(), Vec3d{});
-  for (const Triangle& t : mesh_.triangles) {
-    const Vec3d v = area_vector(t, positions) * (1.0 / 6);
-    for (const Index vertex : t) area_vectors_[vertex] += v;
-    third_areas_[static_cast<std::size_t>(&t - mesh_.triangles.data())] = length(v);
-  }
-  for (Index node = 0; node < hierarchy_.node_count(); ++node) {
-    const Index parent = hierarchy_.parent[node];
-    if (parent != kNone) areas_[parent] += areas_[node], area_vectors_[parent] += area_vectors_[node];
-  }
-}
+LevelFit::LevelFit(const Mesh& mesh, const Hierarchy& hierarchy) : mesh_(mesh), hierarchy_(hierarchy) {}
 
 // From the level below: its triangles, and the fans that they make around its nodes.
 void LevelFit::go_up(Index level) {
@@ -119,7 +94,7 @@ void LevelFit::find_members(Index level, std::span<const Vec3d> positions) {
   for (std::size_t t = triangle_count; t-- > 0;)
     members_[--member_begin_[cluster_of(mesh_.triangles[t]) - first_]] = centroid(t, positions);
   for (std::size_t i = clusters_.size(); i-- > 0;)
-    members_[--member_begin_[clusters_[i] - first_]] = {positions[begin + i], areas_[begin + i]};
+    members_[--member_begin_[clusters_[i] - first_]] = {positions[begin + i], facings_[begin + i].area};
 }
 
 // Of a finest triangle, where samples are of the finest level: that of two corners, or of any.
@@ -135,7 +110,8 @@ bool LevelFit::has_centroids() const {
 
 LevelFit::Sample LevelFit::centroid(std::size_t triangle, std::span<const Vec3d> positions) const {
   const auto& [a, b, c] = mesh_.triangles[triangle];
-  return {(positions[a] + positions[b] + positions[c]) * (1.0 / 3), 9 * third_areas_[triangle]};
+  const Vec3d &p = positions[a], &q = positions[b], &r = positions[c];
+  return {(p + q + r) * (1.0 / 3), 1.5 * length(cross(q - p, r - p))};
 }
 
 void LevelFit::look_around(Index node, std::span<const Vec3d> positions) {
@@ -207,7 +183,8 @@ void LevelFit::move(std::span<const Quadric> quadrics, double anchor, std::span<
     sum.add_point({}, kDamping * p.trace());
     const Vec3d& home = minima_[node - first_];
     Vec3d way = minimum(sum).point;
-    if (const double far_2 = squared_length(x + way - home), most_2 = kReach * kReach * areas_[node]; far_2 > most_2)
+    if (const double far_2 = squared_length(x + way - home), most_2 = kReach * kReach * facings_[node].area;
+        far_2 > most_2)
       way = home + (x + way - home) * std::sqrt(most_2 / far_2) - x;
     const double left = 0.5 * std::max(p(way), 0.0) + 0.5 * kPlanes * std::max(q(way), 0.0);
     if (!std::isfinite(left)) continue;  // millions of times larger than the first frame
@@ -216,15 +193,13 @@ void LevelFit::move(std::span<const Quadric> quadrics, double anchor, std::span<
   }
 }
 
-// Whether it faces away from the surface that its corners stand for, and does not at their minima. On thin sheets and
-// sharp edges clusters face several ways, and say nothing.
+// And is not so at the minima.
 bool LevelFit::is_turned_over(const Triangle& t, std::span<const Vec3d> positions) const {
-  const Vec3d faces = area_vectors_[t[0]] + area_vectors_[t[1]] + area_vectors_[t[2]];
-  if (!(dot(area_vector(t, positions), faces) < 0)) return false;
-  const double area = areas_[t[0]] + areas_[t[1]] + areas_[t[2]];
-  if (squared_length(faces) < kFacing * kFacing * area * area) return false;
+  Facing surface;
+  for (const Index node : t) surface += facings_[node];
   const Vec3d &a = minima_[t[0] - first_], &b = minima_[t[1] - first_], &c = minima_[t[2] - first_];
-  return dot(cross(b - a, c - a), faces) >= 0;
+  return limber::is_turned_over(positions[t[0]], positions[t[1]], positions[t[2]], surface) &&
+         !limber::is_turned_over(a, b, c, surface);
 }
 
 void LevelFit::draw_back(const Triangle& triangle, double share, std::span<Vec3d> positions) {
@@ -248,12 +223,12 @@ void LevelFit::turn_back(std::span<Vec3d> positions) {
   }
 }
 
-void LevelFit::fit(std::span<const double> vertex_areas, std::span<const Quadric> quadrics, const FitOptions& options,
+void LevelFit::fit(std::span<const Quadric> quadrics, std::span<const Facing> facings, const FitOptions& options,
                    std::span<Vec3d> positions, std::span<double> errors) {
-  assert(vertex_areas.size() == hierarchy_.vertex_count() && quadrics.size() == areas_.size());
-  assert(positions.size() == areas_.size() && errors.size() == areas_.size());
+  assert(quadrics.size() == hierarchy_.node_count() && facings.size() == quadrics.size());
+  assert(positions.size() == quadrics.size() && errors.size() == quadrics.size());
   if (options.rounds == 0) return;
-  sum_clusters(vertex_areas, positions);
+  facings_ = facings;
   triangles_ = mesh_.triangles;
   for (Index level = 1; level < hierarchy_.level_count(); ++level) {
     go_up(level);

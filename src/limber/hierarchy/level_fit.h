@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "limber/base/facing.h"
 #include "limber/base/mesh.h"
 #include "limber/base/quadric.h"
 #include "limber/base/vec.h"
@@ -27,13 +28,12 @@ class LevelFit {
   // Both must outlive this object. The hierarchy may change its parents between calls.
   LevelFit(const Mesh& mesh, const Hierarchy& hierarchy);
 
-  // Moves all nodes above the finest level. vertex_areas: [vertex_count], VertexQuadrics::areas(); quadrics:
-  // [node_count], of the clusters; positions: [node_count], the finest as they are, the others at the minima of their
-  // quadrics; errors: [node_count], the squared distance of each node's cluster over its area. Those of nodes with
-  // triangles become what is left of it: the mean of that of the samples to the level's surface and, by half the
-  // quadric, that of the nodes to the finest surface. Samples do not see what of the level sticks out from among them,
-  // nor nodes what of the finest surface does.
-  void fit(std::span<const double> vertex_areas, std::span<const Quadric> quadrics, const FitOptions& options,
+  // Moves all nodes above the finest level. quadrics, facings: [node_count], of the clusters; positions: [node_count],
+  // the finest as they are, the others at the minima of their quadrics; errors: [node_count], the squared distance of
+  // each node's cluster over its area. Those of nodes with triangles become what is left of it: the mean of that of the
+  // samples to the level's surface and, by half the quadric, that of the nodes to the finest surface. Samples do not
+  // see what of the level sticks out from among them, nor nodes what of the finest surface does.
+  void fit(std::span<const Quadric> quadrics, std::span<const Facing> facings, const FitOptions& options,
            std::span<Vec3d> positions, std::span<double> errors);
 
  private:
@@ -51,7 +51,6 @@ class LevelFit {
     Float4 force{};     // x, y, z
   };
 
-  void sum_clusters(std::span<const double> vertex_areas, std::span<const Vec3d> positions);
   void go_up(Index level);
   Index sample_level(Index level) const;
   bool has_centroids() const;
@@ -68,9 +67,7 @@ class LevelFit {
 
   const Mesh& mesh_;
   const Hierarchy& hierarchy_;
-  std::vector<double> areas_;        // [node_count], of clusters
-  std::vector<Vec3d> area_vectors_;  // [node_count], of clusters: sums of area x normal
-  std::vector<double> third_areas_;  // [triangle count]
+  std::span<const Facing> facings_;  // of the fit at work
 
   // Of the level at work:
   Index first_ = 0, end_ = 0;        // nodes

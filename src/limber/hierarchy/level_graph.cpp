@@ -13,7 +13,7 @@ namespace limber {
 StarKind LevelGraphBuilder::order_around(Index node, std::span<Index> neighbours) {
   const auto count = static_cast<Index>(neighbours.size());
   if (count < 2) return StarKind::kIrregular;
-  sides_.assign(count, {{kNone, kNone}, 0});
+  sides_.assign(count, {{kNone, kNone}, 0, false});
   for (Index i = incidence_begin_[node]; i < incidence_begin_[node + 1]; ++i) {
     const auto [from, to] = incidences_[i];
     if (to == kNone) continue;
@@ -21,12 +21,15 @@ StarKind LevelGraphBuilder::order_around(Index node, std::span<Index> neighbours
     if (sides_[a].count == 2 || sides_[b].count == 2) return StarKind::kIrregular;
     sides_[a].other[sides_[a].count++] = b;
     sides_[b].other[sides_[b].count++] = a;
+    sides_[a].leads = true;
   }
   Index start = 0;
   unsigned open_count = 0;
   for (Index i = count; i-- > 0;) {
     if (sides_[i].count == 0) return StarKind::kIrregular;
-    if (sides_[i].count == 1) start = i, ++open_count;
+    if (sides_[i].count != 1) continue;
+    if (open_count == 0 || sides_[i].leads) start = i;
+    ++open_count;
   }
   if (open_count != 0 && open_count != 2) return StarKind::kIrregular;
   ordered_.clear();

@@ -11,7 +11,7 @@
 
 namespace limber {
 
-// How the triangles of a node lie around it.
+// How the triangles of a node lie around it. Where these face alike, each leads from one neighbour to the next.
 enum class StarKind : unsigned char {
   kClosed,     // one closed fan: neighbours in cyclic order
   kBorder,     // one open fan: neighbours from border to border
@@ -57,6 +57,7 @@ class LevelGraphBuilder {
   struct Sides {
     Index other[2];
     unsigned count;
+    bool leads;  // a triangle leads on from here
   };
   std::vector<Sides> sides_;  // of the neighbours of the node at work: who stands beside them
   std::vector<Index> ordered_;

@@ -14,6 +14,7 @@
 //         for each node whose surroundings have changed: best_swap(), valid and better than the threshold
 //         in order of benefit, those that are still valid and better: move
 //       births and deaths of clusters                                                             rebirth.h
+//     swaps that turn triangles back                                                              unfold.h
 //
 // What a swap is worth (worth.h) is judged again right before it is made: every swap lowers the weighted error by more
 // than the threshold, so this ends.
@@ -71,6 +72,7 @@ ReclusterOptions recluster_options(Follow follow) {
       options.benefit = Benefit::kFixed;
       options.rebirth.hysteresis = 0;
       options.restart.jump = 0;
+      options.unfold = 0;
       options.fit.rounds = 0;
       break;
   }
@@ -85,6 +87,7 @@ Reclusterer::Reclusterer(const Mesh& mesh, Hierarchy base, const ReclusterOption
       budget_(clusters_.hierarchy()),
       is_valid_(clusters_.hierarchy(), clusters_.children(), options.topology),
       rebirth_(clusters_, is_valid_, worth_, budget_),
+      unfolder_(clusters_, is_valid_, worth_, budget_),
       vertex_quadrics_(mesh, options.quadrics),
       graphs_(hierarchy().level_count()),
       positions_(hierarchy().node_count()),
@@ -186,7 +189,7 @@ void Reclusterer::make_swaps(const LevelGraph& graph, double least_benefit) {
       if (worth_.of_swap(c.node, c.to) < std::max(0.5 * c.benefit, least_benefit)) continue;
       if (!is_valid_(graph, c.node, c.to)) continue;
       const Index from = clusters_.parent(c.node);
-      if (!budget_.move(clusters_, graph, c.node, c.to)) continue;
+      if (!unfolder_.move(graph, c.node, c.to)) continue;
       touch(graph, from);
       touch(graph, c.to);
     }
@@ -213,12 +216,14 @@ void Reclusterer::improve_level(Index level) {
   bool is_worth_it = true;
   for (unsigned round = 0;; ++round) {
     make_swaps(graph, least);
-    if (round == kMostRounds || !is_worth_it) return;
+    if (round == kMostRounds || !is_worth_it) break;
     const std::vector<Index>& changed = rebirth_.pair_up(graph, coarser, least, options_.rebirth);
     is_worth_it = static_cast<double>(changed.size()) > again * hierarchy().level_size(level + 1);
     ++pass_;
     for (const Index cluster : changed) touch(graph, cluster);
   }
+  if (options_.unfold > 0)
+    unfolder_.unfold(graph, (options_.unfold * total_error(level + 1) + kRounding) / hierarchy().level_size(level + 1));
 }
 
 // Of the frame, before anything is moved.
@@ -262,6 +267,7 @@ std::span<const Swap> Reclusterer::step(std::span<const Vec3f> positions) {
   const std::span<Vec3d> finest = clusters_.finest_positions();
   for (Index v = 0; v < vertex_count; ++v) finest[v] = frame.to_unit(positions[v]);
   vertex_quadrics_.compute(finest, clusters_.finest_quadrics());
+  std::ranges::copy(vertex_quadrics_.facings(), clusters_.finest_facings().begin());
   clusters_.weigh();
 
   if (first_) {
@@ -280,7 +286,7 @@ std::span<const Swap> Reclusterer::step(std::span<const Vec3f> positions) {
   clusters_.weigh();
   errors_before_ = level_errors();
   fitted_energies_.assign(clusters_.energies().begin(), clusters_.energies().end());
-  fit_.fit(vertex_quadrics_.areas(), clusters_.quadrics(), options_.fit, clusters_.minima(), fitted_energies_);
+  fit_.fit(clusters_.quadrics(), clusters_.facings(), options_.fit, clusters_.minima(), fitted_energies_);
   first_ = false;
 
   swaps_.clear();

@@ -18,6 +18,7 @@
 #include "limber/hierarchy/level_graph.h"
 #include "limber/hierarchy/rebirth.h"
 #include "limber/hierarchy/swap_validity.h"
+#include "limber/hierarchy/unfold.h"
 #include "limber/hierarchy/worth.h"
 
 namespace limber {
@@ -54,6 +55,9 @@ struct ReclusterOptions {
   // Births and deaths of clusters beside the swaps.
   RebirthOptions rebirth;
   RestartOptions restart;
+  // Triangles that face away from the surface are turned back by swaps, each of which may cost so many times the mean
+  // error of the clusters on its level, >= 0; 0: none is.
+  double unfold = 0.5;
   // From the second frame on, at most this share of the triangles of any level is new, >= 0; 1 and more: no limit. With
   // a limit nothing is made anew but the first frame. It holds for levels; a cut to a size chooses its nodes by itself.
   double most_changed = 1;
@@ -133,6 +137,7 @@ class Reclusterer {
   ChangeBudget budget_;
   SwapValidity is_valid_;
   Rebirth rebirth_;
+  Unfolder unfolder_;
   VertexQuadrics vertex_quadrics_;
   LevelGraphBuilder graph_builder_;
   std::vector<LevelGraph> graphs_;  // [level_count]
