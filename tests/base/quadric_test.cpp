@@ -137,6 +137,19 @@ TEST(QuadricMinimum, NeverHasANegativeValue) {
   }
 }
 
+TEST(QuadricMinimum, HasTheSameValueWhenTwoAreFoundAtOnce) {
+  Random random(9);
+  for (int i = 0; i < 1000; ++i) {
+    const Quadric a = random_quadric(random), b = random_quadric(random);
+    const Double2 values = minimum_values(a, b);
+    ASSERT_NEAR(values[0], minimum(a).value, 1e-12 * a.c);
+    ASSERT_NEAR(values[1], minimum(b).value, 1e-12 * b.c);
+  }
+  const Double2 none = minimum_values(Quadric{}, Quadric{});
+  EXPECT_EQ(none[0], 0);
+  EXPECT_EQ(none[1], 0);
+}
+
 TEST(QuadricMinimum, OfAQuadricWithoutAPointIsFiniteAllTheSame) {
   Random random(7);
   EXPECT_TRUE(is_finite(minimum(Quadric{}).point));

@@ -211,20 +211,30 @@ TEST(Reclusterer, FollowsAClipThatIsFastThroughout) {
   const Shape flat = test::jittered(test::sheet(40, 40), 0.1f, 13);
   const Shape first = scene(flat, 0, 0);
   const double scale = normalization(first.positions).scale;
-  Reclusterer r(flat.mesh, test::built(first, 4, Topology::kPreserve), {});
-  for (int frame = 0; frame < 6; ++frame) {
-    const Shape now = scene(flat, 0, 60 * frame);
-    const std::vector<double> were = level_errors(scene(flat, 0, 60 * (frame - 1)), r.hierarchy(), scale),
+  const Hierarchy base = test::built(first, 4, Topology::kPreserve);
+  RestartOptions impatient{.gain = 0.95};
+  const RestartOptions patient = impatient;
+  impatient.patience = 0;
+  Reclusterer r(flat.mesh, base, {.growth = {}, .restart = patient}),
+      other(flat.mesh, base, {.growth = {}, .restart = impatient});
+  int restarts = 0, other_restarts = 0;
+  for (int frame = 0; frame < 8; ++frame) {
+    const Shape now = scene(flat, 0, 62 * frame);
+    const std::vector<double> were = level_errors(scene(flat, 0, 62 * (frame - 1)), r.hierarchy(), scale),
                               are = level_errors(now, r.hierarchy(), scale);
     double jump = 1;
     for (std::size_t level = 1; level < are.size(); ++level) jump *= are[level] / were[level];
     jump = std::pow(jump, 1 / static_cast<double>(are.size() - 1));
     stepped(r, now.positions);
-    EXPECT_FALSE(r.has_restarted()) << frame;
+    stepped(other, now.positions);
+    restarts += r.has_restarted();
+    other_restarts += other.has_restarted();
     if (frame == 0) continue;
     EXPECT_GT(jump, 1.5) << "slow";
     EXPECT_LT(jump, 2.2) << "a jump";
   }
+  EXPECT_LE(restarts, 1) << "one frame is tried";
+  EXPECT_GT(other_restarts, 1);
 }
 
 TEST(Reclusterer, AsksMoreOfASwapWhereClustersAreSmall) {

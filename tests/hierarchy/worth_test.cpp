@@ -60,6 +60,26 @@ TEST(Worth, OfASwapIsWhatTheWeightedErrorFallsBy) {
   EXPECT_GT(better, 0);
 }
 
+TEST(Worth, OfSeveralSwapsIsThatOfEach) {
+  Both b;
+  test::Random random(7);
+  const Hierarchy& h = b.c.hierarchy();
+  for (int round = 0; round < 200; ++round) {
+    const Index level = random.below(h.level_count() - 1);
+    const Index node = h.level_begin[level] + random.below(h.level_size(level));
+    std::vector<Index> to;
+    for (Index count = 1 + random.below(5); to.size() < count;) {
+      const Index cluster = h.level_begin[level + 1] + random.below(h.level_size(level + 1));
+      if (cluster != b.c.parent(node)) to.push_back(cluster);
+    }
+    for (const Worth* worth : {&b.exact, &b.fixed}) {
+      std::vector<double> worths(to.size());
+      worth->of_swaps(node, to, worths);
+      for (std::size_t i = 0; i < to.size(); ++i) EXPECT_EQ(worths[i], worth->of_swap(node, to[i])) << i;
+    }
+  }
+}
+
 TEST(Worth, OfADeathIsWhatTheWeightedErrorFallsByWhenAllChildrenHaveGone) {
   Both b;
   test::Random random(3);

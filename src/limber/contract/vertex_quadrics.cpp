@@ -3,10 +3,39 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstring>
+#include <type_traits>
 
 #include "limber/contract/bounds.h"
 
 namespace limber {
+namespace {
+
+// A quadric's numbers two by two, in their order: compilers do not pair them by themselves.
+struct PairedQuadric {
+  Double2 pairs[5];
+
+  // As Quadric::plane().
+  PairedQuadric(const Vec3d& normal, const Vec3d& point, double weight) {
+    const double offset = -dot(normal, point);
+    const Vec3d wn = normal * weight;
+    pairs[0] = wn.x * Double2{normal.x, normal.y};
+    pairs[1] = Double2{wn.x, wn.y} * Double2{normal.z, normal.y};
+    pairs[2] = Double2{wn.y, wn.z} * normal.z;
+    pairs[3] = Double2{wn.x, wn.y} * offset;
+    pairs[4] = Double2{wn.z, weight * offset} * offset;
+  }
+
+  void add_to(Quadric& quadric) const {
+    static_assert(sizeof(Quadric) == sizeof pairs && std::is_trivially_copyable_v<Quadric>);
+    Double2 sum[5];
+    std::memcpy(sum, &quadric, sizeof sum);
+    for (int i = 0; i < 5; ++i) sum[i] += pairs[i];
+    std::memcpy(&quadric, sum, sizeof sum);
+  }
+};
+
+}  // namespace
 
 Normalization normalization(std::span<const Vec3f> positions) {
   const Box box = bounds(positions);
@@ -32,10 +61,9 @@ void VertexQuadrics::compute(std::span<const Vec3d> positions, std::span<Quadric
     const double doubled_area = length(normal);
     if (!(doubled_area > 0)) continue;
     const double third = doubled_area * (1.0 / 6);
-    const Quadric q = Quadric::plane(normal * (1 / doubled_area), p, third);
-    quadrics[a] += q, quadrics[b] += q, quadrics[c] += q;
+    const PairedQuadric q(normal * (1 / doubled_area), p, third);
     const Facing third_facing{normal * (1.0 / 6), third};
-    facings_[a] += third_facing, facings_[b] += third_facing, facings_[c] += third_facing;
+    for (const Index v : {a, b, c}) q.add_to(quadrics[v]), facings_[v] += third_facing;
     total_area += doubled_area * 0.5;
   }
   for (const auto& [from, to, triangle] : border_edges_) {

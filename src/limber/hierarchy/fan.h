@@ -13,17 +13,22 @@ namespace limber {
 using Float4 = float __attribute__((vector_size(16)));
 using Int4 = int __attribute__((vector_size(16)));
 
+// Four vectors.
+struct Vector4 {
+  Float4 x, y, z;
+};
+
 // Seen from the node and in single precision: rounding is relative to the length of the edges. Keeps its memory from
 // node to node.
 class Fan {
  public:
-  // A point on a triangle, and the way from there to the point asked for: direction x steps.
-  struct Place {
-    Index a, b;        // the triangle's corners beside the node
-    float at_a, at_b;  // barycentric, >= 0; what is left of 1 is the node's
-    Vec3f direction;   // of the triangle's normal where the point is right above it, of any length
-    float by_squared;  // 1 / its squared length
-    float steps;
+  // For each of four points one on a triangle, and the way from there to it: direction x steps.
+  struct Places {
+    Index a[4], b[4];   // the triangle's corners beside the node
+    Float4 at_a, at_b;  // barycentric, >= 0; what is left of 1 is the node's
+    Vector4 direction;  // of the triangle's normal where the point is right above it, of any length
+    Float4 by_squared;  // 1 / its squared length
+    Float4 steps;
   };
 
   void clear() { size_ = 0; }
@@ -42,46 +47,38 @@ class Fan {
   // To be called between the last add() and the first closest().
   void finish();
 
-  // The closest point; or, when the point is nearly in a triangle's plane and above it (kSteep), the closest of the
-  // points that it is right above or below. Precondition: not empty.
-  Place closest(const Vec3f& point) const;
+  // The closest points; or, when a point is nearly in a triangle's plane and above it (kSteep), the closest of those
+  // that it is right above or below. The node itself is on its triangles. Precondition: not empty.
+  Places closest(const Vector4& points) const;
 
  private:
-  struct Vector4 {
-    Float4 x, y, z;
-  };
-
   // Four triangles, the last ones of a fan perhaps with all corners at the node.
   struct Block {
-    Vector4 a, b;            // the ways to the corners
+    Vector4 a, b;  // the ways to the corners
+  };
+
+  // A triangle, each number four times.
+  struct Facet {
     Vector4 normal;          // a x b
     Vector4 dual_a, dual_b;  // their products with a point are its barycentric coordinates
     Float4 limit;            // of the sum of these: 1, or -1 where there is no area
     Float4 by_squared;       // reciprocal of the squared length of the normal, 0 where there is no area
   };
 
-  static Float4 dots(const Vector4& u, const Vector4& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
-  static Vector4 crosses(const Vector4& u, const Vector4& v) {
-    return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
-  }
-  static Vec3f extract(const Vector4& v, unsigned lane) { return {v.x[lane], v.y[lane], v.z[lane]}; }
-  void grow();
-  static void prepare(Block& block);
-  // a / b between 0 and 1; 0 where b is none.
-  static Float4 clamped_ratio(Float4 a, Float4 b) {
-    const Float4 ratio = ((a > 0) & (b > 0)) ? a / b : Float4{};
-    return ratio < 1 ? ratio : Float4{} + 1;
-  }
-  // A triangle that a place is on, kNone where there is none.
-  struct Found {
+  // A place on the sides of triangles.
+  struct Side {
     Index triangle;
-    float squared;  // distance, or gain: by how much it is less than that to the node
+    float gain;  // by how much the squared distance is less than that to the node
     float at_a, at_b;
   };
-  inline Found find_below(const Vector4& point) const;
-  Found find_on_sides(const Vector4& point) const;
+
+  void grow();
+  void prepare(unsigned block);
+  Side find_on_sides(const Vector4& point) const;
+  void move_to_side(Places& places, unsigned lane, const Vector4& points, float below) const;
 
   std::vector<Block> blocks_;
+  std::vector<Facet> facets_;   // of all triangles in the blocks
   std::vector<Index> corners_;  // a and b of each triangle
   unsigned size_ = 0;           // triangles
 };

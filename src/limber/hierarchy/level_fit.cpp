@@ -3,7 +3,7 @@
 //
 //   for each level, from fine to coarse; its samples are the nodes of a finer level, kSamplesPerNode times as many, or,
 //   where the finest has not so many, its vertices and the middles of its triangles:
-//     repeat `rounds` times, the first time with every other sample:
+//     repeat `rounds` times, the first time with every other sample, and no more than a dozen of a cluster:
 //       for every sample p of weight w, its area, in the cluster of node i:
 //         c = the closest point to p on the level's triangles around i; at its corners j it has the weights b_j
 //         r = p - c, d = r/|r|: small moves m_j of the nodes make the distance  (r - sum of b_j m_j).d
@@ -24,6 +24,7 @@ namespace limber {
 namespace {
 
 constexpr Index kSamplesPerNode = 6;
+constexpr Index kRoughSamples = 12;  // of a cluster, at most: three times four of them
 // Weight of a node's way, against the pulls at it: what keeps it from far places along a surface that says little about
 // them.
 constexpr double kDamping = 0.001;
@@ -39,7 +40,22 @@ void sums(std::vector<Index>& begin) {
   for (Index& b : begin) sum += b, b = sum;
 }
 
+// Four rows of four numbers, the other way round.
+std::array<Float4, 4> transposed(Float4 a, Float4 b, Float4 c, Float4 d) {
+  const Float4 ab = __builtin_shufflevector(a, b, 0, 4, 1, 5), cd = __builtin_shufflevector(c, d, 0, 4, 1, 5);
+  const Float4 ab2 = __builtin_shufflevector(a, b, 2, 6, 3, 7), cd2 = __builtin_shufflevector(c, d, 2, 6, 3, 7);
+  return {__builtin_shufflevector(ab, cd, 0, 1, 4, 5), __builtin_shufflevector(ab, cd, 2, 3, 6, 7),
+          __builtin_shufflevector(ab2, cd2, 0, 1, 4, 5), __builtin_shufflevector(ab2, cd2, 2, 3, 6, 7)};
+}
+
 }  // namespace
+
+std::array<LevelFit::Pull, 4> LevelFit::Pulls::each() const {
+  const auto s = transposed(squares[0], squares[1], squares[2], squares[3]);
+  const auto p = transposed(products[0], products[1], products[2], Float4{});
+  const auto f = transposed(force[0], force[1], force[2], Float4{});
+  return {{{s[0], p[0], f[0]}, {s[1], p[1], f[1]}, {s[2], p[2], f[2]}, {s[3], p[3], f[3]}}};
+}
 
 LevelFit::LevelFit(const Mesh& mesh, const Hierarchy& hierarchy) : mesh_(mesh), hierarchy_(hierarchy) {}
 
@@ -124,43 +140,50 @@ void LevelFit::look_around(Index node, std::span<const Vec3d> positions) {
   fan_.finish();
 }
 
-// point: from the node.
-void LevelFit::pull_towards(const Vec3d& point, double weight, Index node) {
-  const Fan::Place place = fan_.closest(Vec3f(point));
+// points: from the node. Gives what pulls at the node itself.
+void LevelFit::pull_towards(const Vector4& points, Float4 weights, Pulls& at_node) {
+  const Fan::Places place = fan_.closest(points);
   const auto& [x, y, z] = place.direction;
-  const float w = static_cast<float>(weight), steps = place.steps;
-  const Float4 d{x, y, z, steps};
-  const Float4 scaled = d * (w * place.by_squared);
-  const Pull whole{{scaled[0] * x, scaled[1] * y, scaled[2] * z, w * steps * steps * squared_length(place.direction)},
-                   {scaled[0] * y, scaled[0] * z, scaled[1] * z, 0},
-                   d * (w * steps)};
-  const auto add = [&](Index at, float share) {
-    if (!(share > 0)) return;
-    Pull& pull = pulls_[at - first_];
-    pull.squares += whole.squares * share;
-    pull.products += whole.products * share;
-    pull.force += whole.force * share;
+  const Float4 w = weights * place.by_squared, ws = weights * place.steps;
+  const Pulls pulls{{w * x * x, w * y * y, w * z * z, ws * place.steps * (x * x + y * y + z * z)},
+                    {w * x * y, w * x * z, w * y * z},
+                    {ws * x, ws * y, ws * z}};
+  at_node.add(pulls, 1 - place.at_a - place.at_b);
+  const std::array<Pull, 4> each = pulls.each();
+  const auto add = [&](Index at, unsigned lane, float share) {
+    if (share > 0) pulls_[at - first_].add(each[lane], share);
   };
-  add(node, 1 - place.at_a - place.at_b);
-  add(place.a, place.at_a);
-  add(place.b, place.at_b);
+  for (unsigned lane = 0; lane < 4; ++lane) {
+    if (!(weights[lane] > 0)) continue;
+    add(place.a[lane], lane, place.at_a[lane]);
+    add(place.b[lane], lane, place.at_b[lane]);
+  }
 }
 
-// With every step-th sample of a cluster, for all.
-void LevelFit::pull(std::span<const Vec3d> positions, Index step) {
+// Of all nodes, and with all samples if not roughly.
+void LevelFit::pull(std::span<const Vec3d> positions, bool roughly) {
   pulls_.assign(end_ - first_, {});
   // With centroids each triangle is integrated as a quadratic: a twelfth for each corner, three quarters for its
   // middle.
   const double share = has_centroids() ? 0.25 : 1;
   for (Index node = first_; node < end_; ++node) {
-    const Index begin = member_begin_[node - first_], end = member_begin_[node - first_ + 1];
-    const Index by = end - begin < 2 * step ? 1 : step;
+    const Index begin = member_begin_[node - first_], end = member_begin_[node - first_ + 1], count = end - begin;
+    const Index step = roughly && count >= 4 ? std::max<Index>(2, (count + kRoughSamples - 1) / kRoughSamples) : 1;
     look_around(node, positions);
     if (fan_.empty()) continue;
-    for (Index i = begin; i < end; i += by) {
-      const auto& [point, area] = members_[i];
-      pull_towards(point - positions[node], by * share * area, node);
+    Pulls at_node;
+    for (Index i = begin; i < end;) {
+      Vector4 points{};
+      Float4 weights{};
+      for (unsigned lane = 0; lane < 4 && i < end; ++lane, i += step) {
+        const auto& [point, area] = members_[i];
+        const Vec3f p(point - positions[node]);
+        points.x[lane] = p.x, points.y[lane] = p.y, points.z[lane] = p.z;
+        weights[lane] = static_cast<float>(step * share * area);
+      }
+      pull_towards(points, weights, at_node);
     }
+    for (const Pull& pull : at_node.each()) pulls_[node - first_].add(pull, 1);
   }
 }
 
@@ -235,7 +258,7 @@ void LevelFit::fit(std::span<const Quadric> quadrics, std::span<const Facing> fa
     find_members(level, positions);
     minima_.assign(positions.begin() + first_, positions.begin() + end_);
     for (unsigned round = 0; round < options.rounds; ++round) {
-      pull(positions, round == 0 && options.rounds > 1 ? 2 : 1);
+      pull(positions, round == 0 && options.rounds > 1);
       move(quadrics, options.anchor, positions, errors);
     }
     turn_back(positions);

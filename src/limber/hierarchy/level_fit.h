@@ -3,6 +3,7 @@
 // finest one.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -49,6 +50,22 @@ class LevelFit {
     Float4 squares{};   // of xx, yy, zz and of r
     Float4 products{};  // of xy, xz, yz
     Float4 force{};     // x, y, z
+
+    void add(const Pull& o, float share) {
+      squares += o.squares * share;
+      products += o.products * share;
+      force += o.force * share;
+    }
+  };
+  // Four of them, the same number of each side by side.
+  struct Pulls {
+    Float4 squares[4]{}, products[3]{}, force[3]{};
+
+    void add(const Pulls& o, Float4 share) {
+      for (int i = 0; i < 4; ++i) squares[i] += o.squares[i] * share;
+      for (int i = 0; i < 3; ++i) products[i] += o.products[i] * share, force[i] += o.force[i] * share;
+    }
+    std::array<Pull, 4> each() const;
   };
 
   void go_up(Index level);
@@ -58,8 +75,8 @@ class LevelFit {
   void find_members(Index level, std::span<const Vec3d> positions);
   Sample centroid(std::size_t triangle, std::span<const Vec3d> positions) const;
   void look_around(Index node, std::span<const Vec3d> positions);
-  void pull_towards(const Vec3d& point, double weight, Index node);
-  void pull(std::span<const Vec3d> positions, Index step);
+  void pull_towards(const Vector4& points, Float4 weights, Pulls& at_node);
+  void pull(std::span<const Vec3d> positions, bool roughly);
   void move(std::span<const Quadric> quadrics, double anchor, std::span<Vec3d> positions, std::span<double> errors);
   bool is_turned_over(const Triangle& triangle, std::span<const Vec3d> positions) const;
   void draw_back(const Triangle& triangle, double share, std::span<Vec3d> positions);

@@ -13,6 +13,24 @@
 #include <algorithm>
 
 namespace limber {
+namespace {
+
+// The next of those whose turn may come: only few are looked at, so that they are kept as heaps.
+constexpr auto kLessGain = [](const auto& a, const auto& b) {
+  return a.gain != b.gain ? a.gain < b.gain : a.cluster > b.cluster;
+};
+constexpr auto kMoreCost = [](const auto& a, const auto& b) {
+  return a.cost != b.cost ? a.cost > b.cost : a.cluster > b.cluster;
+};
+
+template <class Event, class Order>
+void drop_first(std::vector<Event>& heap, Order order) {
+  std::pop_heap(heap.begin(), heap.end(), order);
+  heap.pop_back();
+}
+
+}  // namespace
+
 void Rebirth::find_births(const LevelGraph& graph, double least) {
   births_.clear();
   const Hierarchy& h = clusters_.hierarchy();
@@ -21,14 +39,13 @@ void Rebirth::find_births(const LevelGraph& graph, double least) {
     if (clusters_.has_one_child(cluster) || !(clusters_.energy(cluster) > least)) continue;
     Birth best{least, cluster, kNone};
     for (const Index child : clusters_.children().of(cluster)) {
-      if (!(worth_.about_release(child) > Worth::kLikely * least)) continue;
+      if (!(worth_.about_release(child) > Worth::kLikely * (best.gain + clusters_.energy(child)))) continue;
       const double gain = worth_.release(child) - clusters_.energy(child);
       if (gain > best.gain) best.gain = gain, best.founder = child;
     }
     if (best.founder != kNone) births_.push_back(best);
   }
-  std::sort(births_.begin(), births_.end(),
-            [](const Birth& a, const Birth& b) { return a.gain != b.gain ? a.gain > b.gain : a.cluster < b.cluster; });
+  std::make_heap(births_.begin(), births_.end(), kLessGain);
 }
 
 // Those that may cost no more than `most`.
@@ -45,8 +62,7 @@ void Rebirth::find_deaths(const LevelGraph& coarser, double most) {
     best.cost = -worth_.of_death(cluster, best.heir);
     deaths_.push_back(best);
   }
-  std::sort(deaths_.begin(), deaths_.end(),
-            [](const Death& a, const Death& b) { return a.cost != b.cost ? a.cost < b.cost : a.cluster < b.cluster; });
+  std::make_heap(deaths_.begin(), deaths_.end(), kMoreCost);
 }
 
 // None where the budget does not allow it.
@@ -122,22 +138,24 @@ const std::vector<Index>& Rebirth::pair_up(const LevelGraph& graph, const LevelG
     if (!is_locked_[cluster]) changed_.push_back(cluster);
     is_locked_[cluster] = 1;
   };
-  auto death = deaths_.begin();
-  bool is_vacant = false;  // death->cluster is empty
-  for (const Birth& birth : births_) {
+  bool is_vacant = false;  // the first death's cluster is empty
+  for (; !births_.empty(); drop_first(births_, kLessGain)) {
+    const Birth& birth = births_.front();
     if (is_locked_[birth.cluster]) continue;
-    for (; !is_vacant && death != deaths_.end() && pays(birth, *death); ++death) {
-      if (is_locked_[death->cluster] || is_locked_[death->heir] || death->cluster == birth.cluster ||
-          death->heir == birth.cluster)
+    for (; !is_vacant && !deaths_.empty() && pays(birth, deaths_.front()); drop_first(deaths_, kMoreCost)) {
+      const Death& death = deaths_.front();
+      if (is_locked_[death.cluster] || is_locked_[death.heir] || death.cluster == birth.cluster ||
+          death.heir == birth.cluster)
         continue;
-      if ((is_vacant = end(graph, *death))) break;
+      if ((is_vacant = end(graph, death))) break;
     }
-    if (death == deaths_.end() || !pays(birth, *death)) break;
-    if (!is_vacant || birth.cluster == death->heir || birth.cluster == death->cluster) continue;
-    if (!found(graph, birth, death->cluster)) continue;
+    if (deaths_.empty() || !pays(birth, deaths_.front())) break;
+    const Death& death = deaths_.front();
+    if (!is_vacant || birth.cluster == death.heir || birth.cluster == death.cluster) continue;
+    if (!found(graph, birth, death.cluster)) continue;
     is_vacant = false;
-    lock(birth.cluster), lock(death->cluster), lock(death->heir);
-    ++death;
+    lock(birth.cluster), lock(death.cluster), lock(death.heir);
+    drop_first(deaths_, kMoreCost);
   }
   if (is_vacant) undo();
   for (const Index cluster : changed_) is_locked_[cluster] = 0;

@@ -137,27 +137,32 @@ Reclusterer::Candidate Reclusterer::best_swap(const LevelGraph& graph, Index nod
   const Candidate none{0, kNone, kNone};
   const Index from = clusters_.parent(node);
   if (clusters_.has_one_child(from)) return none;
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  // In the first frame no estimate keeps a node from being judged.
-  const double about_release = first_ ? kInfinity : worth_.about_release(node);
-  const double likely = Worth::kLikely * least_benefit;
-  if (!(about_release > likely)) return none;
-  candidates_of_node_.clear();
-  double least_burden = kInfinity;
+  targets_.clear();
+  Index last = from;
   for (const Index n : graph.around(node)) {
     const Index to = clusters_.parent(n);
-    if (to == from || std::ranges::find(candidates_of_node_, to, &Candidate::to) != candidates_of_node_.end()) continue;
-    candidates_of_node_.push_back({0, node, to});
-    least_burden = std::min(least_burden, worth_.about_burden(clusters_.quadric(node), to));
+    if (to == from || to == last) continue;
+    last = to;
+    if (std::ranges::find(targets_, to) == targets_.end()) targets_.push_back(to);
   }
-  if (!(about_release - least_burden > likely)) return none;
-  const double release = worth_.release(node);
-  for (Candidate& c : candidates_of_node_) c.benefit = worth_.of_swap(node, c.to, release);
+  if (targets_.empty()) return none;
+  if (!first_) {  // there no estimate keeps a node from being judged
+    const double likely = Worth::kLikely * least_benefit;
+    const double about_release = worth_.about_release(node);
+    if (!(about_release > likely)) return none;
+    double least_burden = std::numeric_limits<double>::infinity();
+    for (const Index to : targets_)
+      least_burden = std::min(least_burden, worth_.about_burden(clusters_.quadric(node), to));
+    if (!(about_release - least_burden > likely)) return none;
+  }
+  worths_.resize(targets_.size());
+  worth_.of_swaps(node, targets_, worths_);
+  candidates_of_node_.clear();
+  for (std::size_t i = 0; i < targets_.size(); ++i)
+    if (worths_[i] > least_benefit) candidates_of_node_.push_back({worths_[i], node, targets_[i]});
   std::sort(candidates_of_node_.begin(), candidates_of_node_.end(), kMoreBenefit);
-  for (const Candidate& c : candidates_of_node_) {
-    if (!(c.benefit > least_benefit)) return none;
+  for (const Candidate& c : candidates_of_node_)
     if (is_valid_(graph, node, c.to)) return c;
-  }
   return none;
 }
 
@@ -226,8 +231,8 @@ void Reclusterer::improve_level(Index level) {
     unfolder_.unfold(graph, (options_.unfold * total_error(level + 1) + kRounding) / hierarchy().level_size(level + 1));
 }
 
-// Of the frame, before anything is moved.
-bool Reclusterer::is_jump() {
+// Whether to make the frame anew beside following it, before anything is moved; counts the frames to wait.
+bool Reclusterer::decide_to_try() {
   const RestartOptions& restart = options_.restart;
   if (graphs_.size() < 2 || !(restart.jump > 0)) return false;
   if (first_) return restart.tries_first;
@@ -255,6 +260,7 @@ void Reclusterer::try_anew(std::span<const Vec3f> positions) {
   for (double& error : errors) error *= unit_2 * unit_2;
   if (!(mean_ratio(errors, level_errors()) < options_.restart.gain)) return;
   clusters_.replace(anew.hierarchy());
+  unfolder_.forget();
   has_restarted_ = true;
 }
 
@@ -274,7 +280,7 @@ std::span<const Swap> Reclusterer::step(std::span<const Vec3f> positions) {
     growth_ = options_.growth.value_or(fitted_growth());
     worth_.set_weights(growth_, options_.coarser_weight);
   }
-  const bool may_be_anew = is_jump();
+  const bool may_be_anew = decide_to_try();
   parents_before_ = hierarchy().parent;
   for (Index level = 1; level < graphs_.size(); ++level)
     graph_builder_.build_coarser(hierarchy(), level, graphs_[level - 1], graphs_[level]);

@@ -127,7 +127,7 @@ class Reclusterer {
   void touch(const LevelGraph& graph, Index cluster);
   double threshold_below(Index level) const;
   void improve_level(Index level);
-  bool is_jump();
+  bool decide_to_try();
   void try_anew(std::span<const Vec3f> positions);
 
   const Mesh& mesh_;
@@ -156,7 +156,9 @@ class Reclusterer {
 
   LevelFit fit_;
 
-  std::vector<Candidate> candidates_of_node_;  // scratch of best_swap()
+  std::vector<Index> targets_;                 // scratch of best_swap()
+  std::vector<double> worths_;                 // of them
+  std::vector<Candidate> candidates_of_node_;  // those worth making
   std::vector<Candidate> candidates_;          // scratch of a pass
   std::vector<Index> pending_;                 // nodes to look at in the next pass
   std::vector<Index> mark_;                    // [node_count]: pending when == pass_

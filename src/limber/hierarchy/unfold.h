@@ -3,6 +3,7 @@
 // faces. Neither paper has it.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "limber/hierarchy/change_budget.h"
@@ -31,6 +32,9 @@ class Unfolder {
   // Moves a node of the graph. False, and all is as before, where the budget does not allow it, or where the node would
   // go back to where unfold() last took it from, and more triangles would be turned over.
   bool move(const LevelGraph& graph, Index node, Index to);
+
+  // Where unfold() has taken nodes from: for a hierarchy made anew.
+  void forget() { std::ranges::fill(left_, kNone); }
 
  private:
   struct Candidate {

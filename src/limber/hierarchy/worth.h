@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "limber/hierarchy/clustering.h"
@@ -24,10 +25,10 @@ class Worth {
   void set_weights(double growth, double coarser_weight);
 
   // Of the node's leaving its parent for `to`, one level above it.
-  double of_swap(Index node, Index to) const { return of_swap(node, to, release(node)); }
+  double of_swap(Index node, Index to) const;
 
-  // The same, where release(node) is known.
-  double of_swap(Index node, Index to, double release) const;
+  // The same for each of several, at least one, in less time: worth[i] of to[i].
+  void of_swaps(Index node, std::span<const Index> to, std::span<double> worth) const;
 
   // By how much the error of the node's cluster falls without it.
   double release(Index node) const;
@@ -53,6 +54,8 @@ class Worth {
  private:
   double without(const Quadric& quadric, Index cluster) const;
   double burden(const Quadric& quadric, Index cluster) const;
+  double exchange(const Quadric& quadric, Index from, Index to) const;
+  double above(Index node, Index to) const;
 
   const Clustering& clusters_;
   Benefit benefit_;
