@@ -161,6 +161,43 @@ TEST(LevelFit, MovesLessWithAHeavierAnchor) {
   EXPECT_GT(moved_by(100), 10 * moved_by(1e4));
 }
 
+TEST(LevelFit, GoesNoFurtherThanHalfTheSideOfAFlatCluster) {
+  Levels levels(waves(), 4);
+  // A frame in which the clusters' borders have moved far along the surface.
+  levels.place(moved(levels.shape, [](Vec3f p) {
+                 return p + Vec3f{2 * std::sin(p.y), std::cos(2 * p.x), 0};
+               }).positions);
+  const std::vector<Vec3d> fitted = levels.fitted({.rounds = 6});
+  int far_count = 0;
+  for (std::size_t i = levels.hierarchy.vertex_count(); i < fitted.size(); ++i) {
+    const auto& [vector, area] = levels.facings[i];
+    if (length(vector) < 0.7 * area) continue;
+    const double way = length(fitted[i] - levels.minima[i]);
+    EXPECT_LT(way, 0.5 * std::sqrt(area / 0.7) * 1.001);
+    far_count += way > 0.4 * std::sqrt(area);
+  }
+  EXPECT_GT(far_count, 0) << "nothing would have gone further";
+}
+
+TEST(LevelFit, GoesFurtherWhereAClusterIsATip) {
+  // Two horns, back to back: the planes of their flanks meet below their ends.
+  const Shape horns = moved(test::sphere(4), [](Vec3f p) {
+    const float s = std::sqrt(std::max(0.0f, 1 - p.z * p.z));
+    return Vec3f{0.3f * s * p.x, 0.3f * s * p.y, std::copysign(3 * (1 - s), p.z)};
+  });
+  const Levels levels(horns, 6);
+  const std::vector<Vec3d> fitted = levels.fitted({.rounds = 6});
+  int further_count = 0;
+  for (std::size_t i = levels.hierarchy.vertex_count(); i < fitted.size(); ++i) {
+    const auto& [vector, area] = levels.facings[i];
+    const double side = std::sqrt(area), shadow = std::max(length(vector), area / 16);
+    const double way = length(fitted[i] - levels.minima[i]);
+    EXPECT_LE(way, 0.5 * area / std::sqrt(shadow) * 1.001);
+    further_count += way > 0.55 * side;
+  }
+  EXPECT_GT(further_count, 0);
+}
+
 TEST(LevelFit, BearsWhatIsNoSurface) {
   // Two triangles that lie on each other, one that is a line, one vertex alone, and an edge on three triangles.
   Shape odd;

@@ -8,7 +8,7 @@
 //         c = the closest point to p on the level's triangles around i; at its corners j it has the weights b_j
 //         r = p - c, d = r/|r|: small moves m_j of the nodes make the distance  (r - sum of b_j m_j).d
 //       move each node j to the minimum of  sum of w b_j ((r - m_j).d)^2 + anchor x its quadric, no further than
-//       kReach from where it was at first
+//       its reach from where it was at first
 //     draw back the nodes of triangles that have been turned over
 //
 // The weights b_j sum up to 1, so that the sum over the nodes bounds the squared distances from above (Jensen), and a
@@ -28,11 +28,20 @@ constexpr Index kRoughSamples = 12;  // of a cluster, at most: three times four 
 // Weight of a node's way, against the pulls at it: what keeps it from far places along a surface that says little about
 // them.
 constexpr double kDamping = 0.001;
-// Of the side of a square as large as the cluster: beyond, a node slides past others, or out over a border.
+// Of the side of a square as large as the cluster: beyond, a node slides past others, or out over a border. That is if
+// the cluster is flat: see squared_reach().
 constexpr double kReach = 0.5;
+constexpr double kLeastShadow = 1.0 / 16;  // of a cluster's area
 // What is left of a quadric is the squared distance to planes, about twice that to the surface they bound.
 constexpr double kPlanes = 0.5;
 constexpr int kHalvings = 3;  // before a node is drawn back for good
+
+// What a cluster's area is over the side of a square as large as its shadow on a plane across: on a tip that is about
+// as much as the tip is long, whose quadric hardly says where it ends.
+double squared_reach(const Facing& cluster) {
+  const double shadow = std::max(length(cluster.vector), kLeastShadow * cluster.area);
+  return shadow > 0 ? kReach * kReach * cluster.area * (cluster.area / shadow) : 0;
+}
 
 // Counts to the ends of groups; what fills them from behind leaves the beginnings.
 void sums(std::vector<Index>& begin) {
@@ -206,8 +215,7 @@ void LevelFit::move(std::span<const Quadric> quadrics, double anchor, std::span<
     sum.add_point({}, kDamping * p.trace());
     const Vec3d& home = minima_[node - first_];
     Vec3d way = minimum(sum).point;
-    if (const double far_2 = squared_length(x + way - home), most_2 = kReach * kReach * facings_[node].area;
-        far_2 > most_2)
+    if (const double far_2 = squared_length(x + way - home), most_2 = squared_reach(facings_[node]); far_2 > most_2)
       way = home + (x + way - home) * std::sqrt(most_2 / far_2) - x;
     const double left = 0.5 * std::max(p(way), 0.0) + 0.5 * kPlanes * std::max(q(way), 0.0);
     if (!std::isfinite(left)) continue;  // millions of times larger than the first frame
