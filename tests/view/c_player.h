@@ -79,7 +79,7 @@ inline Drawn cut_now(limber_cut* cut, const limber_cut_options& options) {
 
 // What the C++ player gives for every frame.
 inline std::vector<Drawn> play_in_cpp(const Bytes& bytes, const CutOptions& options,
-                               const std::optional<View>& view = std::nullopt) {
+                                      const std::optional<View>& view = std::nullopt) {
   Player player;
   EXPECT_TRUE(player.open(bytes));
   Cut cut(player.mesh(), player.state().hierarchy, options);
