@@ -68,42 +68,47 @@ struct QuadricMinimum {
   double value = 0;  // >= 0
 };
 
-// Where Q is smallest, by an LDL' factorisation. Precondition: A is positive definite, which every quadric is that
-// holds a point (see contract/vertex_quadrics.h); a quadric without one gives a finite but meaningless answer.
+using Double2 = double __attribute__((vector_size(16)));
+
+// Half of solving A x = -b by A = L D L': y = -L^-1 b. Of one quadric or, with Double2, of two at once.
+template <class Real>
+struct Elimination {
+  Real i0, i1, i2;  // the reciprocals of D
+  Real l10, l20, l21;
+  Real y0, y1, y2;
+
+  // number(&Quadric::xx) and so on: what it is of.
+  template <class Number>
+  explicit Elimination(const Number& number) {
+    const auto inverse = [](Real pivot) { return pivot > 1e-300 ? 1.0 / pivot : Real{}; };
+    const Real xy = number(&Quadric::xy), xz = number(&Quadric::xz);
+    i0 = inverse(number(&Quadric::xx));
+    l10 = xy * i0, l20 = xz * i0;
+    i1 = inverse(number(&Quadric::yy) - l10 * xy);
+    const Real m21 = number(&Quadric::yz) - l20 * xy;
+    l21 = m21 * i1;
+    i2 = inverse(number(&Quadric::zz) - l20 * xz - l21 * m21);
+    y0 = -number(&Quadric::bx);
+    y1 = -number(&Quadric::by) - l10 * y0;
+    y2 = -number(&Quadric::bz) - l20 * y0 - l21 * y1;
+  }
+};
+
+// Where Q is smallest. Precondition: A is positive definite, which every quadric is that holds a point (see
+// contract/vertex_quadrics.h); a quadric without one gives a finite but meaningless answer.
 inline QuadricMinimum minimum(const Quadric& q) {
-  const auto inverse = [](double pivot) { return pivot > 1e-300 ? 1.0 / pivot : 0.0; };
-  const double i0 = inverse(q.xx);
-  const double l10 = q.xy * i0, l20 = q.xz * i0;
-  const double i1 = inverse(q.yy - l10 * q.xy);
-  const double m21 = q.yz - l20 * q.xy;
-  const double l21 = m21 * i1;
-  const double i2 = inverse(q.zz - l20 * q.xz - l21 * m21);
-  const double y0 = -q.bx;
-  const double y1 = -q.by - l10 * y0;
-  const double y2 = -q.bz - l20 * y0 - l21 * y1;
-  const double z = y2 * i2;
-  const double y = y1 * i1 - l21 * z;
-  const double x = y0 * i0 - l10 * y - l20 * z;
+  const Elimination<double> e([&](double Quadric::*number) { return q.*number; });
+  const double z = e.y2 * e.i2;
+  const double y = e.y1 * e.i1 - e.l21 * z;
+  const double x = e.y0 * e.i0 - e.l10 * y - e.l20 * z;
   const double value = q.c + q.bx * x + q.by * y + q.bz * z;
   return {{x, y, z}, std::max(value, 0.0)};
 }
 
-using Double2 = double __attribute__((vector_size(16)));
-
 // The least values of two quadrics, >= 0, in the time of one: what minimum() finds, without the places.
-inline Double2 minimum_values(const Quadric& a, const Quadric& b) {
-  const auto inverse = [](Double2 pivot) { return pivot > 1e-300 ? 1.0 / pivot : Double2{}; };
-  const Double2 xx{a.xx, b.xx}, xy{a.xy, b.xy}, xz{a.xz, b.xz}, yy{a.yy, b.yy}, yz{a.yz, b.yz}, zz{a.zz, b.zz};
-  const Double2 i0 = inverse(xx);
-  const Double2 l10 = xy * i0, l20 = xz * i0;
-  const Double2 i1 = inverse(yy - l10 * xy);
-  const Double2 m21 = yz - l20 * xy;
-  const Double2 l21 = m21 * i1;
-  const Double2 i2 = inverse(zz - l20 * xz - l21 * m21);
-  const Double2 y0{a.bx, b.bx};
-  const Double2 y1 = Double2{a.by, b.by} - l10 * y0;
-  const Double2 y2 = Double2{a.bz, b.bz} - l20 * y0 - l21 * y1;
-  const Double2 value = Double2{a.c, b.c} - (y0 * y0 * i0 + y1 * y1 * i1 + y2 * y2 * i2);
+inline Double2 minimum_values(const Quadric& p, const Quadric& q) {
+  const Elimination<Double2> e([&](double Quadric::*number) { return Double2{p.*number, q.*number}; });
+  const Double2 value = Double2{p.c, q.c} - (e.y0 * e.y0 * e.i0 + e.y1 * e.y1 * e.i1 + e.y2 * e.y2 * e.i2);
   return value > 0 ? value : Double2{};
 }
 

@@ -104,45 +104,35 @@ void Unfolder::find_candidates(const LevelGraph& graph, const Triangle& triangle
   });
 }
 
-void Unfolder::turn_back(const LevelGraph& graph, const Triangle& triangle, double most) {
-  find_candidates(graph, triangle, most);
-  for (const auto& [cost, node, to] : candidates_) {
-    if (!is_valid_(graph, node, to)) continue;
-    const Index from = clusters_.parent(node);
-    const Index before = count_around(graph, from, to);
-    budget_.keep();
-    if (!budget_.move(clusters_, graph, node, to)) continue;
-    if (count_around(graph, from, to) < before) {
-      left_[node] = from;
-      return;
-    }
-    clusters_.move(node, from);
-    budget_.undo();
-  }
-}
-
-bool Unfolder::move(const LevelGraph& graph, Index node, Index to) {
+// False, and all is as before, where that does not leave fewer triangles turned over around both clusters than `below`.
+bool Unfolder::move_if_fewer(const LevelGraph& graph, Index node, Index to, Index below) {
   const Index from = clusters_.parent(node);
-  if (left_[node] != to) return budget_.move(clusters_, graph, node, to);
-  const Index before = count_around(graph, from, to);
   budget_.keep();
   if (!budget_.move(clusters_, graph, node, to)) return false;
-  if (count_around(graph, from, to) <= before) return true;
+  if (count_around(graph, from, to) < below) return true;
   clusters_.move(node, from);
   budget_.undo();
   return false;
 }
 
-void Unfolder::unfold(const LevelGraph& graph, double most) {
-  // The images are written one over the other until one has three corners: cheaper than a branch that nobody foresees.
-  const std::vector<Index>& parent = clusters_.hierarchy().parent;
-  triangles_.resize(graph.triangles.size() + 1);
-  std::size_t count = 0;
-  for (const auto& [a, b, c] : graph.triangles) {
-    const Triangle& image = triangles_[count] = {parent[a], parent[b], parent[c]};
-    count += unsigned{image[0] != image[1]} & unsigned{image[1] != image[2]} & unsigned{image[2] != image[0]};
+void Unfolder::turn_back(const LevelGraph& graph, const Triangle& triangle, double most) {
+  find_candidates(graph, triangle, most);
+  for (const auto& [cost, node, to] : candidates_) {
+    if (!is_valid_(graph, node, to)) continue;
+    const Index from = clusters_.parent(node);
+    if (!move_if_fewer(graph, node, to, count_around(graph, from, to))) continue;
+    left_[node] = from;
+    return;
   }
-  triangles_.resize(count);
+}
+
+bool Unfolder::move(const LevelGraph& graph, Index node, Index to) {
+  if (left_[node] != to) return budget_.move(clusters_, graph, node, to);
+  return move_if_fewer(graph, node, to, count_around(graph, clusters_.parent(node), to) + 1);
+}
+
+void Unfolder::unfold(const LevelGraph& graph, double most) {
+  list_images(graph.triangles, clusters_.hierarchy().parent, triangles_);
   // One that has ended since is looked at in vain; one that has begun since is not turned over.
   for (const Triangle& t : triangles_)
     if (is_over(t[0], t[1], t[2])) turn_back(graph, t, most);

@@ -49,6 +49,7 @@ class Unfolder {
   Index count_around(const LevelGraph& graph, Index a, Index b) const;
   void consider(const LevelGraph& graph, Index node, Index to, const Triangle& triangle, double most);
   void find_candidates(const LevelGraph& graph, const Triangle& triangle, double most);
+  bool move_if_fewer(const LevelGraph& graph, Index node, Index to, Index below);
   void turn_back(const LevelGraph& graph, const Triangle& triangle, double most);
 
   Clustering& clusters_;

@@ -14,12 +14,14 @@ void Worth::set_weights(double growth, double coarser_weight) {
   }
 }
 
-// By how much the error of the cluster falls without the quadric, which is part of its own.
-double Worth::without(const Quadric& q, Index cluster) const {
-  if (benefit_ == Benefit::kFixed) return q(clusters_.minimum_at(cluster));
-  return clusters_.energy(cluster) - minimum(clusters_.quadric(cluster) - q).value;
+double Worth::release(Index node) const {
+  const Quadric& q = clusters_.quadric(node);
+  const Index from = clusters_.parent(node);
+  if (benefit_ == Benefit::kFixed) return q(clusters_.minimum_at(from));
+  return clusters_.energy(from) - minimum(clusters_.quadric(from) - q).value;
 }
 
+// By how much the error of the cluster grows with the quadric.
 double Worth::burden(const Quadric& q, Index cluster) const {
   if (benefit_ == Benefit::kFixed) return q(clusters_.minimum_at(cluster));
   return minimum(clusters_.quadric(cluster) + q).value - clusters_.energy(cluster);
@@ -31,8 +33,6 @@ double Worth::exchange(const Quadric& q, Index from, Index to) const {
   const Double2 left = minimum_values(clusters_.quadric(from) - q, clusters_.quadric(to) + q);
   return clusters_.energy(from) - left[0] - (left[1] - clusters_.energy(to));
 }
-
-double Worth::release(Index node) const { return without(clusters_.quadric(node), clusters_.parent(node)); }
 
 // What the coarser levels gain.
 double Worth::above(Index node, Index to) const {

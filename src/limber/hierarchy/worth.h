@@ -52,7 +52,6 @@ class Worth {
   double of_death(Index cluster, Index heir) const;
 
  private:
-  double without(const Quadric& quadric, Index cluster) const;
   double burden(const Quadric& quadric, Index cluster) const;
   double exchange(const Quadric& quadric, Index from, Index to) const;
   double above(Index node, Index to) const;
